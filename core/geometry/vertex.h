@@ -1,0 +1,27 @@
+// The inputs of every method: vertices and convex polygons, unsnapped float32.
+#pragma once
+
+#include <vector>
+
+namespace texelscope {
+
+/// One corner as a scene gives it (core/conventions.h says where the axes point).
+struct Vertex {
+    float x = 0, y = 0;  ///< on the screen [px]
+    float z = 0;         ///< for the depth test [0 near, 1 far], affine over the screen
+    float w = 1;         ///< clip-space w, the depth along the view axis; 1 = affine
+    float u = 0, v = 0;  ///< [texels of its texture]
+
+    friend bool operator==(const Vertex&, const Vertex&) = default;
+};
+
+/// A convex polygon, three or more corners in order, either winding.
+struct Polygon {
+    std::vector<Vertex> vertices;
+    int texture = 0;    ///< index into Scene::textures
+    float light = 1;    ///< each channel becomes min(255, trunc(channel * light))
+
+    friend bool operator==(const Polygon&, const Polygon&) = default;
+};
+
+}  // namespace texelscope
