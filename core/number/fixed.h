@@ -1,0 +1,138 @@
+// Fixed<I, F>: I bits before the point (the sign among them) and F behind it, as integer units computed
+// before fast floating point. Results round toward zero, so -(a * b) = (-a) * b; leaving the range follows
+// NumberMode and is marked on the value for good.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "core/number/real.h"
+
+namespace texelscope {
+
+__extension__ typedef __int128 Int128;  // NOLINT(modernize-use-using): __extension__ takes a typedef only
+
+template <int I, int F>
+class Fixed {
+public:
+    static constexpr int kIntegerBits = I, kFractionBits = F;
+    static constexpr std::int64_t kMax = (std::int64_t{1} << (I + F - 1)) - 1;  ///< greatest raw value in range
+    static constexpr std::int64_t kMin = -kMax - 1;
+
+    constexpr Fixed() = default;
+    constexpr explicit Fixed(Integer whole, NumberMode mode = {})
+        : Fixed(settle(static_cast<Int128>(whole) * (Int128{1} << F), mode, false)) {}
+
+    /// To nearest, ties to even. A value that is not finite is marked, and saturates.
+    [[nodiscard]] static Fixed from(double x, NumberMode mode) {
+        if (std::isnan(x)) return settle(0, mode, true);
+        const double raw = std::nearbyint(std::ldexp(x, F));
+        const double limit = 9.0e18;
+        if (std::abs(raw) > limit) return settle(static_cast<std::int64_t>(std::copysign(limit, raw)), mode, true);
+        return settle(static_cast<std::int64_t>(raw), mode, false);
+    }
+    /// For tapes and tests: the value that has this representation.
+    [[nodiscard]] static constexpr Fixed from_raw(std::int64_t raw, bool overflowed, NumberMode mode) {
+        Fixed x;
+        x.raw_ = raw;
+        x.overflowed_ = overflowed;
+        x.mode_ = mode;
+        return x;
+    }
+
+    [[nodiscard]] constexpr std::int64_t raw() const { return raw_; }        ///< [2^-F]
+    [[nodiscard]] constexpr bool overflowed() const { return overflowed_; }  ///< it, or an operand, left the range
+    [[nodiscard]] constexpr NumberMode mode() const { return mode_; }
+
+    friend constexpr Fixed operator+(Fixed a, Fixed b) { return settle(Int128{a.raw_} + b.raw_, a, b); }
+    friend constexpr Fixed operator-(Fixed a, Fixed b) { return settle(Int128{a.raw_} - b.raw_, a, b); }
+    friend constexpr Fixed operator-(Fixed a) { return settle(-Int128{a.raw_}, a, a); }
+    friend constexpr Fixed operator*(Fixed a, Fixed b) {
+        const Int128 product = Int128{a.raw_} * b.raw_;
+        const bool down = (a.mode_.floor_products || b.mode_.floor_products) && product < 0;
+        const Int128 unit = Int128{1} << F;
+        return settle((down ? product - (unit - 1) : product) / unit, a, b);
+    }
+    /// Division by zero is marked and saturates by the sign of `a`; 0 / 0 is 0.
+    friend constexpr Fixed operator/(Fixed a, Fixed b) {
+        if (b.raw_ == 0) {
+            const std::int64_t end = a.raw_ > 0 ? kMax : a.raw_ < 0 ? kMin : 0;
+            return settle(end, merged(a, b), true);
+        }
+        return settle(Int128{a.raw_} * (Int128{1} << F) / b.raw_, a, b);
+    }
+    friend constexpr bool operator==(Fixed a, Fixed b) { return a.raw_ == b.raw_; }
+    friend constexpr bool operator<(Fixed a, Fixed b) { return a.raw_ < b.raw_; }
+    friend constexpr bool operator>(Fixed a, Fixed b) { return a.raw_ > b.raw_; }
+    friend constexpr bool operator<=(Fixed a, Fixed b) { return a.raw_ <= b.raw_; }
+    friend constexpr bool operator>=(Fixed a, Fixed b) { return a.raw_ >= b.raw_; }
+
+    friend constexpr Fixed operator+(Integer a, Fixed b) { return Fixed(a, b.mode_) + b; }
+    friend constexpr Fixed operator+(Fixed a, Integer b) { return a + Fixed(b, a.mode_); }
+    friend constexpr Fixed operator-(Integer a, Fixed b) { return Fixed(a, b.mode_) - b; }
+    friend constexpr Fixed operator-(Fixed a, Integer b) { return a - Fixed(b, a.mode_); }
+    friend constexpr Fixed operator*(Integer a, Fixed b) { return Fixed(a, b.mode_) * b; }
+    friend constexpr Fixed operator*(Fixed a, Integer b) { return a * Fixed(b, a.mode_); }
+    friend constexpr Fixed operator/(Integer a, Fixed b) { return Fixed(a, b.mode_) / b; }
+    friend constexpr Fixed operator/(Fixed a, Integer b) { return a / Fixed(b, a.mode_); }
+    friend constexpr bool operator==(Fixed a, Integer b) { return a == Fixed(b); }
+    friend constexpr bool operator<(Fixed a, Integer b) { return a < Fixed(b); }
+    friend constexpr bool operator>(Fixed a, Integer b) { return a > Fixed(b); }
+    friend constexpr bool operator<=(Fixed a, Integer b) { return a <= Fixed(b); }
+    friend constexpr bool operator>=(Fixed a, Integer b) { return a >= Fixed(b); }
+
+    friend constexpr Integer floor(Fixed a) { return a.raw_ >> F; }
+    friend constexpr Integer trunc(Fixed a) { return a.raw_ / (std::int64_t{1} << F); }
+    friend constexpr Integer ceil(Fixed a) { return -((-a.raw_) >> F); }
+    friend constexpr Integer round_even(Fixed a) {
+        const std::int64_t half = std::int64_t{1} << (F - 1), rest = a.raw_ & (2 * half - 1), down = a.raw_ >> F;
+        return down + (rest > half || (rest == half && (down & 1)));
+    }
+    friend constexpr Fixed lesser(Fixed a, Fixed b) { return b < a ? b : a; }
+    friend constexpr Fixed greater(Fixed a, Fixed b) { return a < b ? b : a; }
+    friend double approximate(Fixed a) { return std::ldexp(static_cast<double>(a.raw_), -F); }
+
+private:
+    [[nodiscard]] static constexpr NumberMode merged(Fixed a, Fixed b) {
+        return {a.mode_.overflow > b.mode_.overflow ? a.mode_.overflow : b.mode_.overflow,
+                a.mode_.floor_products || b.mode_.floor_products};
+    }
+    [[nodiscard]] static constexpr Fixed settle(Int128 raw, Fixed a, Fixed b) {
+        return settle(raw, merged(a, b), a.overflowed_ || b.overflowed_);
+    }
+    [[nodiscard]] static constexpr Fixed settle(Int128 raw, NumberMode mode, bool overflowed) {
+        const bool outside = raw > kMax || raw < kMin;
+        if (outside) raw = brought_back(raw, mode.overflow);
+        return from_raw(static_cast<std::int64_t>(raw), overflowed || outside, mode);
+    }
+    [[nodiscard]] static constexpr Int128 brought_back(Int128 raw, Overflow policy) {
+        constexpr Int128 kEnd = std::numeric_limits<std::int64_t>::max() / 4;  // a negation still fits in 64 bits
+        switch (policy) {
+            case Overflow::saturate: return raw > 0 ? kMax : kMin;
+            case Overflow::wrap: {
+                const auto low = static_cast<std::uint64_t>(raw) << (64 - I - F);
+                return static_cast<std::int64_t>(low) >> (64 - I - F);
+            }
+            case Overflow::mark: break;
+        }
+        return raw > kEnd ? kEnd : raw < -kEnd ? -kEnd : raw;
+    }
+
+    std::int64_t raw_ = 0;
+    NumberMode mode_{};
+    bool overflowed_ = false;
+};
+
+template <int I, int F>
+struct Input<Fixed<I, F>> {
+    [[nodiscard]] static Fixed<I, F> from(float x, NumberMode mode) {
+        return Fixed<I, F>::from(static_cast<double>(x), mode);
+    }
+};
+
+using Fixed16 = Fixed<16, 16>;
+using Fixed8 = Fixed<8, 8>;
+static_assert(Real<Fixed16> && Real<Fixed8>);
+
+}  // namespace texelscope
