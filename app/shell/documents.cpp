@@ -1,0 +1,121 @@
+#include "app/shell/documents.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+
+#include "app/state/link.h"
+#include "app/state/store.h"
+#include "core/image/load.h"
+#include "core/scene/json.h"
+
+namespace texelscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[nodiscard]] bool is_there(const fs::path& path) {
+    std::error_code ignored;
+    return fs::exists(path, ignored);
+}
+
+/// The lesson file that a word means: a number, a folder's name, the folder, the file itself; empty where none.
+[[nodiscard]] fs::path lesson_file(const std::string& word) {
+    const fs::path path(word);
+    if (path.filename() == "lesson.md" || path.extension() == ".md") return path;
+    if (is_there(path / "lesson.md")) return path / "lesson.md";
+    const fs::path lessons = data_folder() / "lessons";
+    const bool number = !word.empty() && word.size() <= 2 && word.find_first_not_of("0123456789") == std::string::npos;
+    if (!number && path.filename() == path && is_there(lessons / path / "lesson.md")) return lessons / path / "lesson.md";
+    if (!number) return {};
+    const std::string prefix = (word.size() == 1 ? "0" + word : word) + "-";
+    std::error_code bad;
+    for (const auto& entry : fs::directory_iterator(lessons, bad)) {
+        if (entry.path().filename().string().starts_with(prefix)) return entry.path() / "lesson.md";
+    }
+    return {};
+}
+
+Result<std::shared_ptr<const Document>> open_lesson(const fs::path& file) {
+    auto lesson = load_lesson(file);
+    if (!lesson) return lesson.error();
+    const fs::path scene_file = file.parent_path() / lesson->scene;
+    auto scene = load_scene(scene_file, assets_folder());
+    if (!scene) return scene.error();
+    auto document = std::make_shared<Document>();
+    document->id = lesson->id;
+    document->scene = std::move(scene->scene);
+    document->warnings = std::move(scene->warnings);
+    document->files = {file, scene_file};
+    document->lesson = *std::move(lesson);
+    return std::shared_ptr<const Document>(std::move(document));
+}
+
+/// The image a pasted line names: the one in use, or one of the assets. A line from elsewhere opens no other file.
+Result<std::shared_ptr<const Texture>> texture_of_link(const std::string& file, const State& before) {
+    if (before.work.texture && before.work.texture_file == file) return before.work.texture;
+    std::error_code bad;
+    const fs::path assets = fs::weakly_canonical(assets_folder(), bad), wanted = fs::weakly_canonical(assets / file, bad);
+    const auto [end, ignored] = std::mismatch(assets.begin(), assets.end(), wanted.begin(), wanted.end());
+    if (!bad && end == assets.end()) return open_texture(wanted);
+    return Error{"state", "it uses the image " + file + ": drop that on the window first, then paste again"};
+}
+
+}  // namespace
+
+fs::path data_folder() {
+    if (const char* chosen = std::getenv("TEXELSCOPE_DATA"); chosen != nullptr && *chosen != '\0') return chosen;
+    if (const fs::path built = TEXELSCOPE_DATA_FOLDER; is_there(built / "lessons")) return built;
+    std::error_code bad;
+    const fs::path program = fs::read_symlink("/proc/self/exe", bad);
+    return bad ? fs::path(".") : program.parent_path() / ".." / "share" / "texelscope";
+}
+
+fs::path assets_folder() { return data_folder() / "assets"; }
+
+std::vector<Lesson> built_in_lessons(std::vector<Error>& errors) { return load_lessons(data_folder() / "lessons", errors); }
+
+Result<std::shared_ptr<const Document>> open_document(const std::string& target) {
+    if (const fs::path file = lesson_file(target); !file.empty()) return open_lesson(file);
+    if (!is_there(target)) return Error{target, "there is no such lesson or file; 'texelscope list lessons' names the lessons"};
+    auto scene = load_scene(target, assets_folder());
+    if (!scene) return scene.error();
+    auto document = std::make_shared<Document>();
+    document->id = target;
+    document->scene = std::move(scene->scene);
+    document->warnings = std::move(scene->warnings);
+    document->files = {target};
+    return std::shared_ptr<const Document>(std::move(document));
+}
+
+Result<std::shared_ptr<const Texture>> open_texture(const fs::path& file) {
+    auto image = load_image(file);
+    if (!image) return image.error();
+    auto texture = std::make_shared<Texture>();
+    texture->name = file.filename().string();
+    texture->source.file = file.string();
+    texture->texels = *std::move(image);
+    return std::shared_ptr<const Texture>(std::move(texture));
+}
+
+Result<State> open_state(const std::string& target, const State& before) {
+    if (!looks_like_link(target)) {
+        auto document = open_document(target);
+        if (!document) return document.error();
+        return opened(*document, before);
+    }
+    auto link = parse_link(target);
+    if (!link) return link.error();
+    auto document = before.document && before.document->id == link->document ? Result(before.document) : open_document(link->document);
+    if (!document) return document.error();
+    if (!link->work.texture_file.empty()) {
+        auto texture = texture_of_link(link->work.texture_file, before);
+        if (!texture) return texture.error();
+        link->work.texture = *texture;
+    }
+    State state = opened(*document, before);
+    Derived derived;
+    return reduce(state, action::Restore{link->work, link->cursor}, derived);
+}
+
+}  // namespace texelscope

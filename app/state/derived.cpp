@@ -1,0 +1,144 @@
+#include "app/state/derived.h"
+
+#include <algorithm>
+#include <set>
+
+#include "app/state/derived_cache.h"
+
+namespace texelscope {
+namespace {
+
+[[nodiscard]] DrawSettings settings_of(const Work& work) {
+    const Method* method = find_method(work.method);
+    return {method != nullptr ? method : methods().front(), work.format, work.quirks, work.mode};
+}
+
+[[nodiscard]] bool trivial(Op op) { return op == Op::input || op == Op::constant || op == Op::same; }
+
+/// The expression that tells most of a unit: the last one that computes a number with a fraction, else anything.
+[[nodiscard]] const Named* telling(const Visit& visit) {
+    const Named *best = nullptr, *fallback = nullptr;
+    for (const std::int32_t n : visit.unit().expressions) {
+        const Named& named = visit.tape.names[static_cast<std::size_t>(n)];
+        const Operation& operation = visit.tape.operations[static_cast<std::size_t>(named.operation)];
+        fallback = &named;
+        const bool whole = std::holds_alternative<bool>(operation.value) || std::holds_alternative<Integer>(operation.value);
+        if (!trivial(operation.op) && !whole) best = &named;
+    }
+    return best != nullptr ? best : fallback;
+}
+
+}  // namespace
+
+Derived::Derived() : cache_(std::make_unique<Cache>()) {}
+Derived::~Derived() = default;
+
+void Derived::update(const State& state) {
+    Cache& c = *cache_;
+    const bool scene_same = c.scene && c.state.document == state.document && c.state.work.edits == state.work.edits &&
+                            c.state.work.texture == state.work.texture;
+    const bool drawing_same = scene_same && c.drawing && c.drawing->settings() == settings_of(state.work);
+    const bool step_same = drawing_same && c.state.cursor == state.cursor && c.state.pinned == state.pinned;
+    c.state = state;
+    if (!scene_same) c.scene = std::make_unique<Scene>(state.document ? edited_scene(*state.document, state.work) : Scene{});
+    if (!drawing_same) {
+        const DrawSettings settings = settings_of(state.work);
+        if (!c.drawing || c.drawing->settings().method != settings.method) c.listing = load_listing(settings.method->listing);
+        c.drawing = std::make_unique<Drawing>(*c.scene, settings);
+        c.steps = std::make_unique<Steps>(*c.drawing);
+        c.of_drawing = {};
+    }
+    if (!step_same) c.of_step = {};
+}
+
+const Scene& Derived::scene() const { return *cache_->scene; }
+const Drawing& Derived::drawing() const { return *cache_->drawing; }
+Steps& Derived::steps() const { return *cache_->steps; }
+const Method& Derived::method() const { return *drawing().settings().method; }
+const Listing& Derived::listing() const { return cache_->listing; }
+
+int Derived::shape() const {
+    const Path& step = cache_->state.cursor.step;
+    if (step.empty() || drawing().shape_count() == 0) return -1;
+    return static_cast<int>(std::clamp<Integer>(step.parts[0].index, 0, drawing().shape_count() - 1));
+}
+
+const Visit& Derived::visit() const {
+    auto& visit = cache_->of_step.visit;
+    if (!visit) visit = std::make_shared<Visit>(steps().at(cache_->state.cursor.step));
+    return *visit;
+}
+
+const Named* Derived::named() const {
+    const Visit& v = visit();
+    const Path& step = cache_->state.cursor.step;
+    if (step.at_expression()) {
+        const auto e = static_cast<std::size_t>(step.parts.back().index);
+        return e < v.unit().expressions.size() ? &v.tape.names[static_cast<std::size_t>(v.unit().expressions[e])] : nullptr;
+    }
+    if (cache_->state.pinned.kind == Selection::Kind::name) {
+        for (auto named = v.tape.names.rbegin(); named != v.tape.names.rend(); ++named) {
+            if (named->name.text() == cache_->state.pinned.name) return &*named;
+        }
+    }
+    const Named* best = telling(v);
+    return best != nullptr || v.tape.names.empty() ? best : &v.tape.names.back();
+}
+
+int Derived::line() const {
+    const Named* now = named();
+    return now != nullptr ? now->line : 0;
+}
+
+const Texture& Derived::texture() const {
+    static const Texture kNone{.name = "none", .texels = Image(1, 1, {128, 128, 128})};
+    const int n = shape();
+    if (n < 0) return scene().textures.empty() ? kNone : *scene().textures.front();
+    return *drawing().job(n).texture;
+}
+
+std::optional<glm::ivec2> Derived::pixel() const {
+    const Path& step = cache_->state.cursor.step;
+    const auto x = step.index_of('x'), y = step.index_of('y');
+    if (!x || !y) return std::nullopt;
+    return glm::ivec2(*x, *y);
+}
+
+std::optional<Integer> Derived::row() const { return cache_->state.cursor.step.index_of('y'); }
+
+std::optional<glm::ivec2> Derived::texel() const {
+    std::optional<Integer> column, row;
+    const Visit& v = visit();
+    const Path& step = cache_->state.cursor.step;
+    const auto& own = v.unit().expressions;
+    const std::size_t end = step.at_expression() ? std::min(own.size(), static_cast<std::size_t>(step.parts.back().index) + 1) : own.size();
+    for (std::size_t k = 0; k < end; ++k) {
+        const Named& named = v.tape.names[static_cast<std::size_t>(own[k])];
+        const Value& value = v.tape.operations[static_cast<std::size_t>(named.operation)].value;
+        const std::string name = named.name.text();
+        if (name == "column" && std::holds_alternative<Integer>(value)) column = std::get<Integer>(value);
+        if (name == "row" && std::holds_alternative<Integer>(value)) row = std::get<Integer>(value);
+    }
+    if (!column || !row) return std::nullopt;
+    return glm::ivec2(*column, *row);
+}
+
+const std::vector<Variable>& Derived::variables() const {
+    auto& found = cache_->of_step.variables;
+    if (!found) found = make_variables(visit(), named(), cache_->state.cursor, steps());
+    return *found;
+}
+
+const std::vector<Notice>& Derived::notices() const {
+    auto& found = cache_->of_drawing.notices;
+    if (found) return *found;
+    found.emplace();
+    constexpr int kLookedAt = 64;
+    for (int n = 0; n < std::min(kLookedAt, drawing().shape_count()); ++n) {
+        const Visit v = texelscope::visit(drawing(), Path{{{'t', n}}});
+        if (v.shape_fate != Fate::written) found->push_back({n, std::string(text_of(v.shape_fate))});
+    }
+    return *found;
+}
+
+}  // namespace texelscope

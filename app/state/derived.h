@@ -1,0 +1,128 @@
+// What follows from a State: the drawing, the step the cursor stands on, pictures, links. Computed when first asked
+// for and kept while what it depends on stays the same; views read it and compute nothing themselves.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/state/state.h"
+#include "core/image/rgba.h"
+#include "core/method/steps.h"
+#include "core/trace/listing.h"
+
+namespace texelscope {
+
+/// A sample as the canvas shows it at the cursor's step.
+struct CanvasCell {
+    Rgb now{}, later{};          ///< written so far; what will be there in the end
+    std::uint8_t writes = 0;     ///< so far, up to 255
+    std::uint8_t writes_in_all = 0;
+    bool visited = false;        ///< by the current shape so far, written or not
+    bool will_be_visited = false;  ///< by the current shape, in the end
+    Fate fate = Fate::outside_box;  ///< of the current shape's last sample there
+    Note note = Note::none;
+};
+
+/// The part of the picture that the canvas has in view.
+struct CanvasPicture {
+    Window window;               ///< one cell for each sample in it
+    Grid<CanvasCell> cells;
+    std::uint64_t version = 0;   ///< another whenever a cell differs
+};
+
+/// One child of a unit in a lane of the timeline.
+enum class TickKind : std::uint8_t { empty, covered, rejected, mark };
+
+/// A lane: the children of the unit above. Runs, never lists of ranges without bound: at most kMaxTicks are listed.
+struct Lane {
+    Level level = Level::pixel;
+    char letter = 't';
+    Integer first = 0, count = 0;
+    int step = 1;
+    Integer current = -1;                ///< position of the cursor's child among them, or -1
+    std::vector<std::string> labels;     ///< of stages and expressions; empty: the index is the label
+    std::vector<TickKind> kinds;         ///< where count <= kMaxTicks; else empty
+    std::vector<std::uint8_t> folded;    ///< of expressions: trivial, drawn narrow
+};
+inline constexpr Integer kMaxTicks = 4096;
+
+/// A variable in the table and in formulas.
+struct Variable {
+    std::string name;
+    Value value;
+    int line = 0;
+    bool changed = false;    ///< since the step before
+    bool own = false;        ///< made in the current unit
+    std::int32_t named = -1; ///< index in the tape's names
+};
+
+/// What a selection means in every view.
+struct Highlight {
+    std::vector<glm::ivec2> pixels, texels;  ///< absolute pixels; texels of the shape's texture
+    std::vector<std::string> names;
+    std::vector<int> lines;
+    std::vector<Path> ticks;
+};
+
+/// A shape that is not drawn, or a number that has no value: said in words at its place.
+struct Notice {
+    int shape = 0;
+    std::string text;
+};
+
+class Derived {
+public:
+    Derived();
+    ~Derived();
+    Derived(const Derived&) = delete;
+    Derived& operator=(const Derived&) = delete;
+
+    /// Takes over a new state; what no longer holds is forgotten. Call before anything else.
+    void update(const State& state);
+
+    [[nodiscard]] const Scene& scene() const;          ///< with the person's edits
+    [[nodiscard]] const Drawing& drawing() const;
+    [[nodiscard]] Steps& steps() const;
+    [[nodiscard]] const Method& method() const;
+    [[nodiscard]] const Listing& listing() const;
+    /// The cursor's unit; for a state without shapes an empty visit.
+    [[nodiscard]] const Visit& visit() const;
+    /// The traced value the cursor stands on at expression level, else the last one of its unit; null where none.
+    [[nodiscard]] const Named* named() const;
+    [[nodiscard]] int line() const;                    ///< the current line of the listing; 0 for none
+    [[nodiscard]] int shape() const;                   ///< the cursor's; -1 without shapes
+    [[nodiscard]] const Texture& texture() const;      ///< of the cursor's shape
+    /// The current pixel (absolute), where the step lies in one.
+    [[nodiscard]] std::optional<glm::ivec2> pixel() const;
+    [[nodiscard]] std::optional<Integer> row() const;
+    /// The texel that the current pixel reads, once the cursor has come so far.
+    [[nodiscard]] std::optional<glm::ivec2> texel() const;
+
+    [[nodiscard]] const Image& final_picture() const;
+    [[nodiscard]] const CanvasPicture& canvas(const Window& window) const;
+    [[nodiscard]] std::vector<Lane> lanes() const;     ///< T, G, S, P, E in this order, always five
+    [[nodiscard]] const std::vector<Variable>& variables() const;  ///< changed first, then by age
+    [[nodiscard]] const LineCounts& line_counts() const;  ///< up to the cursor, in the current shape
+    /// (u, v) of every sample of the current row of the current shape, in order: the path on the texture.
+    [[nodiscard]] const std::vector<Sample>& row_samples() const;
+    [[nodiscard]] const std::vector<Notice>& notices() const;
+    [[nodiscard]] Highlight highlight(const Selection& selection) const;
+    /// Every sample written to a pixel so far, oldest first.
+    [[nodiscard]] std::vector<std::pair<int, Sample>> writers(glm::ivec2 pixel) const;
+    /// The step at which the pixel was last written before, or else at all; empty where never.
+    [[nodiscard]] std::optional<Path> last_write(glm::ivec2 pixel) const;
+
+private:
+    struct Cache;
+    std::unique_ptr<Cache> cache_;
+};
+
+/// The scene with a state's edits and texture.
+[[nodiscard]] Scene edited_scene(const Document& document, const Work& work);
+/// Where a handle stands in the edited scene.
+[[nodiscard]] glm::vec2 position_of(const Scene& scene, const Handle& handle);
+
+}  // namespace texelscope

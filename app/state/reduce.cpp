@@ -1,0 +1,225 @@
+#include <algorithm>
+#include <cmath>
+
+#include "app/lesson/questions.h"
+#include "app/state/lesson_cursor.h"
+#include "app/state/store.h"
+
+namespace texelscope {
+namespace {
+
+constexpr std::string_view kAtEnd = "This is the last step.", kAtStart = "This is the first step.";
+constexpr std::string_view kNothing = "This scene draws nothing: there are no steps.";
+constexpr std::string_view kMoved = "That step is gone; this is the nearest one before it.";
+constexpr std::string_view kLastBeat = "The lesson ends here. L opens the list of lessons.";
+constexpr float kFarthest = 1e6F;  ///< a corner is kept within this of the origin [px]
+
+/// Applies one action to `next`; `derived` shows the state before until update() is called.
+class Reducer {
+public:
+    Reducer(State& next, Derived& derived) : s_(next), derived_(derived) {}
+
+    void operator()(const action::Open& a) { s_ = opened(a.document, s_); }
+    void operator()(const action::Reload& a) {
+        const Cursor cursor = s_.cursor;
+        s_.document = a.document;
+        if (!s_.document->lesson) return settle();
+        go_to_beat(s_, std::min(cursor.beat, beat_count(s_) - 1), derived_);
+        s_.cursor.level = cursor.level;
+        s_.cursor.step = cursor.step;
+        settle(false);
+    }
+    void operator()(const action::Say& a) { s_.message = a.message; }
+
+    void operator()(const action::Step& a) {
+        Steps& steps = derived_.steps();
+        for (int n = 0; n < std::abs(a.count); ++n) {
+            const auto to = a.count > 0 ? steps.next(s_.cursor.step, s_.cursor.level) : steps.previous(s_.cursor.step, s_.cursor.level);
+            if (!to) return end_reached(a.count > 0);
+            s_.cursor.step = *to;
+        }
+    }
+    void operator()(const action::StepTo& a) {
+        s_.cursor.level = level_of(a.path);
+        if (const auto to = derived_.steps().nearest(a.path, s_.cursor.level)) s_.cursor.step = *to;
+    }
+    void operator()(const action::StepEnd& a) {
+        const auto to = a.last ? derived_.steps().last(s_.cursor.level) : derived_.steps().first(s_.cursor.level);
+        if (to) s_.cursor.step = *to;
+    }
+    void operator()(const action::Advance& a) {
+        if (beat_count(s_) == 0) return (*this)(action::Step{a.count});
+        const int beat = s_.cursor.beat + a.count;
+        if (beat >= beat_count(s_)) {
+            s_.message = {std::string(kLastBeat)};
+            return;
+        }
+        go_to_beat(s_, std::max(0, beat), derived_);
+    }
+    void operator()(const action::SetLevel& a) {
+        s_.cursor.level = a.level;
+        if (!s_.cursor.step.empty()) s_.cursor.step = derived_.steps().at_level(s_.cursor.step, a.level);
+    }
+    void operator()(const action::Finer& a) {
+        const int level = std::clamp(static_cast<int>(s_.cursor.level) + a.count, 0, kLevels - 1);
+        (*this)(action::SetLevel{static_cast<Level>(level)});
+    }
+    void operator()(const action::StepIn&) { (*this)(action::Finer{1}); }
+    void operator()(const action::FinishUnit&) { (*this)(action::Finer{-1}); }
+    void operator()(const action::Play& a) { s_.playing = a.on; }
+    void operator()(const action::Speed& a) { s_.look.speed = std::clamp(s_.look.speed * a.factor, 0.5F, 240.0F); }
+    void operator()(const action::ToggleBookmark&) {
+        const auto found = std::find(s_.bookmarks.begin(), s_.bookmarks.end(), s_.cursor.step);
+        if (found != s_.bookmarks.end()) s_.bookmarks.erase(found);
+        else if (!s_.cursor.step.empty()) s_.bookmarks.push_back(s_.cursor.step);
+    }
+    void operator()(const action::GoToBookmark& a) {
+        if (s_.bookmarks.empty()) return;
+        const auto here = std::find(s_.bookmarks.begin(), s_.bookmarks.end(), s_.cursor.step);
+        const auto count = static_cast<int>(s_.bookmarks.size());
+        const int at = here == s_.bookmarks.end() ? (a.direction > 0 ? -1 : 0) : static_cast<int>(here - s_.bookmarks.begin());
+        (*this)(action::StepTo{s_.bookmarks[static_cast<std::size_t>((at + a.direction + count) % count)]});
+    }
+
+    void operator()(const action::MoveVertex& a) {
+        const auto& polygons = derived_.scene().polygons;
+        const auto [polygon, vertex, texture] = a.handle;
+        if (polygon < 0 || polygon >= static_cast<int>(polygons.size())) return;
+        const auto& vertices = polygons[static_cast<std::size_t>(polygon)].vertices;
+        if (vertex < 0 || vertex >= static_cast<int>(vertices.size())) return;
+        if (!std::isfinite(a.to.x) || !std::isfinite(a.to.y)) return;
+        Vertex value = vertices[static_cast<std::size_t>(vertex)];
+        const float x = std::clamp(a.to.x, -kFarthest, kFarthest), y = std::clamp(a.to.y, -kFarthest, kFarthest);
+        if (texture) value.u = x, value.v = y;
+        else value.x = x, value.y = y;
+        auto& edits = s_.work.edits;
+        const auto place = std::lower_bound(edits.begin(), edits.end(), std::pair(polygon, vertex), [](const VertexEdit& e, const auto& key) {
+            return std::pair(e.polygon, e.vertex) < key;
+        });
+        if (place != edits.end() && place->polygon == polygon && place->vertex == vertex) place->value = value;
+        else edits.insert(place, {polygon, vertex, value});
+        s_.handle = a.handle;
+        settle();
+    }
+    void operator()(const action::ChooseHandle& a) { s_.handle = a.handle; }
+    void operator()(const action::SetFormat& a) { s_.work.format = a.format, settle(); }
+    void operator()(const action::SetMode& a) { s_.work.mode = a.mode, settle(); }
+    void operator()(const action::SetVariant& a) {
+        const Method& method = derived_.method();
+        if (find_variant(method, a.id) == nullptr) return;
+        QuirkSet forms = 0;
+        for (std::size_t n = 0; n < method.quirks.size(); ++n) forms |= method.quirks[n].form ? QuirkSet{1} << n : 0;
+        s_.work.variant = a.id;
+        s_.work.quirks = quirks_of(method, a.id) | (s_.work.quirks & forms);
+        settle();
+    }
+    void operator()(const action::SetQuirk& a) {
+        if (a.index < 0 || a.index >= static_cast<int>(derived_.method().quirks.size())) return;
+        const QuirkSet bit = QuirkSet{1} << a.index;
+        s_.work.quirks = a.on ? s_.work.quirks | bit : s_.work.quirks & ~bit;
+        settle();
+    }
+    void operator()(const action::SetMethod& a) {
+        const Method* method = find_method(a.id);
+        if (method == nullptr || a.id == s_.work.method) return;
+        s_.work.method = a.id;
+        s_.work.variant = method->variants.back().id;
+        s_.work.quirks = method->variants.back().quirks;
+        s_.cursor.step = {};
+        settle(false);
+    }
+    void operator()(const action::SetTexture& a) { s_.work.texture_file = a.file, s_.work.texture = a.texture, settle(); }
+
+    void operator()(const action::Choose& a) {
+        const Prediction* asked = prediction_of(s_);
+        if (asked == nullptr || a.option < 0 || a.option >= static_cast<int>(asked->options.size())) return;
+        Answer& answer = reopened();
+        const auto found = std::find(answer.chosen.begin(), answer.chosen.end(), a.option);
+        if (asked->kind != Prediction::Kind::many) answer.chosen = {a.option};
+        else if (found != answer.chosen.end()) answer.chosen.erase(found);
+        else answer.chosen.insert(std::upper_bound(answer.chosen.begin(), answer.chosen.end(), a.option), a.option);
+    }
+    void operator()(const action::Type& a) {
+        if (prediction_of(s_) != nullptr) reopened().typed = a.text.substr(0, 32);
+    }
+    void operator()(const action::Point& a) {
+        if (prediction_of(s_) == nullptr) return;
+        Answer& answer = reopened();
+        const auto found = std::find(answer.places.begin(), answer.places.end(), a.place);
+        if (found != answer.places.end()) answer.places.erase(found);
+        else answer.places.push_back(a.place);
+        constexpr std::size_t kMostPlaces = 64;
+        if (answer.places.size() > kMostPlaces) answer.places.erase(answer.places.begin());
+    }
+    void operator()(const action::Check&) {
+        const Prediction* asked = prediction_of(s_);
+        if (asked == nullptr) return;
+        Answer& answer = answer_here(s_);
+        const Grade grade = texelscope::grade(*asked, answer, derived_, s_);
+        answer.verdict = grade.verdict, answer.sentence = grade.sentence, answer.explain = grade.explain;
+    }
+    void operator()(const action::Skip&) {
+        if (prediction_of(s_) != nullptr) answer_here(s_).verdict = Answer::Verdict::skipped;
+    }
+
+    void operator()(const action::Hover& a) { s_.hover = a.what; }
+    void operator()(const action::Pin& a) { s_.pinned = s_.pinned == a.what ? Selection{} : a.what; }
+    void operator()(const action::SetLook& a) {
+        s_.look = a.look;
+        s_.look.scale = std::clamp(s_.look.scale, 1.0F, 2.5F);
+    }
+    void operator()(const action::Show& a) { s_.overlay = s_.overlay == a.overlay ? Overlay::none : a.overlay; }
+    void operator()(const action::ChooseLesson& a) { s_.chosen_lesson = std::max(0, a.index); }
+    void operator()(const action::Escape&) {
+        if (s_.look.blank) s_.look.blank = false;
+        else if (s_.overlay != Overlay::none) s_.overlay = Overlay::none;
+        else if (s_.playing) s_.playing = false;
+        else s_.pinned = {}, s_.handle = {};
+    }
+
+    void operator()(const action::Undo&) {}
+    void operator()(const action::Redo&) {}
+    void operator()(const action::Reset&) {
+        const State fresh = opened(s_.document, s_);
+        s_.work = fresh.work, s_.cursor = fresh.cursor, s_.pinned = fresh.pinned, s_.handle = {};
+    }
+    void operator()(const action::Restore& a) {
+        s_.work = a.work, s_.cursor = a.cursor;
+        s_.cursor.beat = std::clamp(s_.cursor.beat, 0, std::max(0, beat_count(s_) - 1));
+        settle();
+    }
+
+private:
+    void end_reached(bool forward) {
+        s_.playing = false;
+        s_.message = {std::string(s_.cursor.step.empty() ? kNothing : forward ? kAtEnd : kAtStart)};
+    }
+    /// After an edit: the same triangle, row and pixel where they still exist, else the nearest step before.
+    void settle(bool tell = true) {
+        derived_.update(s_);
+        const Path before = s_.cursor.step;
+        s_.cursor.step = derived_.steps().nearest(before, s_.cursor.level).value_or(Path{});
+        if (tell && s_.cursor.step != before && !before.empty()) s_.message = {std::string(kMoved)};
+    }
+    [[nodiscard]] Answer& reopened() {
+        Answer& answer = answer_here(s_);
+        answer.verdict = Answer::Verdict::open, answer.sentence.clear(), answer.explain = {};
+        return answer;
+    }
+
+    State& s_;
+    Derived& derived_;
+};
+
+}  // namespace
+
+State reduce(const State& state, const Action& action, Derived& derived) {
+    State next = state;
+    if (!std::holds_alternative<action::Hover>(action)) next.message = {};
+    if (!next.document && !std::holds_alternative<action::Open>(action)) return next;
+    std::visit(Reducer(next, derived), action);
+    derived.update(next);
+    return next;
+}
+
+}  // namespace texelscope

@@ -1,0 +1,69 @@
+#include "app/state/store.h"
+
+#include "app/state/lesson_cursor.h"
+
+namespace texelscope {
+namespace {
+
+constexpr std::size_t kMostEntries = 1000;
+
+/// Whether undo takes this action back.
+[[nodiscard]] bool is_edit(const Action& a) {
+    return std::holds_alternative<action::MoveVertex>(a) || std::holds_alternative<action::SetFormat>(a) ||
+           std::holds_alternative<action::SetMode>(a) || std::holds_alternative<action::SetVariant>(a) ||
+           std::holds_alternative<action::SetQuirk>(a) || std::holds_alternative<action::SetMethod>(a) ||
+           std::holds_alternative<action::SetTexture>(a) || std::holds_alternative<action::Reset>(a) ||
+           std::holds_alternative<action::Restore>(a);
+}
+
+}  // namespace
+
+void Store::dispatch(const Action& action) {
+    if (std::holds_alternative<action::Undo>(action)) return undo(past_, future_);
+    if (std::holds_alternative<action::Redo>(action)) return undo(future_, past_);
+    if (std::holds_alternative<action::Open>(action)) past_.clear(), future_.clear();
+
+    const auto* move = std::get_if<action::MoveVertex>(&action);
+    const int gesture = move != nullptr ? move->gesture : 0;
+    Entry before{state_.work, state_.cursor, gesture};
+    state_ = reduce(state_, action, derived_);
+    if (!is_edit(action) || (before.work == state_.work && before.cursor == state_.cursor)) return;
+    future_.clear();
+    if (gesture != 0 && !past_.empty() && past_.back().gesture == gesture) return;
+    past_.push_back(std::move(before));
+    if (past_.size() > kMostEntries) past_.erase(past_.begin());
+}
+
+void Store::undo(std::vector<Entry>& from, std::vector<Entry>& to) {
+    if (from.empty()) return;
+    to.push_back({state_.work, state_.cursor, 0});
+    state_.work = std::move(from.back().work);
+    state_.cursor = std::move(from.back().cursor);
+    state_.message = {};
+    from.pop_back();
+    derived_.update(state_);
+}
+
+State opened(std::shared_ptr<const Document> document, const State& before) {
+    State state;
+    state.look = before.look;
+    state.look.hits = false;
+    state.look.zoom = 0;
+    state.done = before.done;
+    state.chosen_lesson = before.chosen_lesson;
+    state.document = std::move(document);
+    Derived derived;
+    if (state.document->lesson) {
+        go_to_beat(state, 0, derived);
+        return state;
+    }
+    const Method& method = *methods().front();
+    state.work.method = method.id;
+    state.work.variant = method.variants.back().id;
+    state.work.quirks = method.variants.back().quirks;
+    derived.update(state);
+    state.cursor.step = derived.steps().first(state.cursor.level).value_or(Path{});
+    return state;
+}
+
+}  // namespace texelscope
