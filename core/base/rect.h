@@ -13,7 +13,9 @@ struct Rect {
     [[nodiscard]] constexpr bool empty() const { return x0 >= x1 || y0 >= y1; }
     [[nodiscard]] constexpr int width() const { return empty() ? 0 : x1 - x0; }
     [[nodiscard]] constexpr int height() const { return empty() ? 0 : y1 - y0; }
-    [[nodiscard]] constexpr bool contains(std::int64_t x, std::int64_t y) const { return x >= x0 && x < x1 && y >= y0 && y < y1; }
+    [[nodiscard]] constexpr bool contains(std::int64_t x, std::int64_t y) const {
+        return x >= x0 && x < x1 && y >= y0 && y < y1;
+    }
     friend constexpr bool operator==(const Rect&, const Rect&) = default;
 };
 

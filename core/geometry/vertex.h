@@ -18,8 +18,8 @@ struct Vertex {
 /// A convex polygon, three or more corners in order, either winding.
 struct Polygon {
     std::vector<Vertex> vertices;
-    int texture = 0;    ///< index into Scene::textures
-    float light = 1;    ///< each channel becomes min(255, trunc(channel * light))
+    int texture = 0;  ///< index into Scene::textures
+    float light = 1;  ///< each channel becomes min(255, trunc(channel * light))
 
     friend bool operator==(const Polygon&, const Polygon&) = default;
 };

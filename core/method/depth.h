@@ -25,7 +25,8 @@ struct DepthPlane {
     DepthPlane plane{.x0 = corners[0].x, .y0 = corners[0].y, .z0 = corners[0].z};
     double widest = 0;
     for (std::size_t n = 2; n < corners.size(); ++n) {
-        const double ax = corners[n - 1].x - plane.x0, ay = corners[n - 1].y - plane.y0, az = corners[n - 1].z - plane.z0;
+        const double ax = corners[n - 1].x - plane.x0, ay = corners[n - 1].y - plane.y0,
+                     az = corners[n - 1].z - plane.z0;
         const double bx = corners[n].x - plane.x0, by = corners[n].y - plane.y0, bz = corners[n].z - plane.z0;
         const double area = ax * by - bx * ay;
         if (!(std::abs(area) > widest)) continue;

@@ -47,7 +47,8 @@ public:
           buffer_(depth_ ? window_.rect : Rect{}) {}
 
     void shape(int n, const PutInShape& put) {
-        if (window_.rect.empty() || drawing_->refusal(n) != Fate::written || !drawing_->touches(n, window_.rect)) return;
+        if (window_.rect.empty() || drawing_->refusal(n) != Fate::written || !drawing_->touches(n, window_.rect))
+            return;
         const Job job = drawing_->job(n);
         drawing_->settings().method->samples(drawing_->settings().format, job, window_, tested(n, job, put));
     }
@@ -177,12 +178,16 @@ Visit visit(const Drawing& drawing, const Path& path) {
     Visit nowhere;
     nowhere.path = path.unit();
     nowhere.units.resize(1);
-    nowhere.found = !path.empty() && path.depth() == 1 && path.parts[0].index >= 0 && path.parts[0].index < drawing.shape_count();
+    nowhere.found =
+        !path.empty() && path.depth() == 1 && path.parts[0].index >= 0 && path.parts[0].index < drawing.shape_count();
     if (path.empty() || path.parts[0].index < 0 || path.parts[0].index >= drawing.shape_count()) return nowhere;
     const int shape = static_cast<int>(path.parts[0].index);
     nowhere.shape_fate = drawing.refusal(shape);
     if (nowhere.shape_fate != Fate::written) return nowhere;
-    return drawing.settings().method->visit(drawing.settings().format, drawing.job(shape), path);
+    Visit found = drawing.settings().method->visit(drawing.settings().format, drawing.job(shape), path);
+    const bool drawn = found.shape_fate != Fate::written || drawing.touches(shape, drawing.scene().framebuffer.rect());
+    if (!drawn) found.shape_fate = Fate::off_screen;
+    return found;
 }
 
 }  // namespace texelscope

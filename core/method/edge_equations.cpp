@@ -7,13 +7,18 @@ namespace texelscope {
 namespace {
 
 constexpr std::array<QuirkInfo, 7> kQuirks{{
-    {"Q1", "inclusive", "both own the side", "A sample is taken where E ≤ 0, so both triangles draw the samples of a shared side."},
-    {"Q2", "one_winding", "one winding only", "Inside is E ≤ 0 whatever the winding: the other winding is culled unsaid."},
-    {"Q3", "truncate", "truncated texels", "The texel is trunc(u) & (size − 1): truncation makes texel 0 two wide across u = 0."},
-    {"Q4", "trunc_box", "truncated box", "The bounding box truncates toward zero, so left of 0 and above it starts one pixel late."},
+    {"Q1", "inclusive", "both own the side",
+     "A sample is taken where E ≤ 0, so both triangles draw the samples of a shared side."},
+    {"Q2", "one_winding", "one winding only",
+     "Inside is E ≤ 0 whatever the winding: the other winding is culled unsaid."},
+    {"Q3", "truncate", "truncated texels",
+     "The texel is trunc(u) & (size − 1): truncation makes texel 0 two wide across u = 0."},
+    {"Q4", "trunc_box", "truncated box",
+     "The bounding box truncates toward zero, so left of 0 and above it starts one pixel late."},
     {"Q5", "wrap_light", "light wraps", "A light above 1 is stored modulo 256, so that bright texels turn dark."},
     {"Q6", "corners", "samples at corners", "Pixel (i, j) is sampled at its corner (i, j), not at its centre."},
-    {"arrays", "arrays", "array passes", "Four passes over arrays, as the source has them, in place of one loop over pixels.", true},
+    {"arrays", "arrays", "array passes",
+     "Four passes over arrays, as the source has them, in place of one loop over pixels.", true},
 }};
 constexpr std::array<VariantInfo, 2> kVariants{{{"as-printed", 0b0111111}, {"corrected", 0}}};
 

@@ -24,10 +24,19 @@ struct EdgeEquations {
     using Truth = TruthOf<T>;
     using Quirks = EdgeEquationsQuirks;
 
-    struct Corner { T x, y, u, v; };
-    struct Plane { T x, y, k; };              ///< a = x X + y Y + k over the screen
-    struct Side { T x, y, k; Truth owns; };   ///< E = x X + y Y + k, negative inside; owns: samples on it are ours
-    struct Box { Int x0, x1, y0, y1; };       ///< half-open
+    struct Corner {
+        T x, y, u, v;
+    };
+    struct Plane {
+        T x, y, k;
+    };  ///< a = x X + y Y + k over the screen
+    struct Side {
+        T x, y, k;
+        Truth owns;
+    };  ///< E = x X + y Y + k, negative inside; owns: samples on it are ours
+    struct Box {
+        Int x0, x1, y0, y1;
+    };  ///< half-open
     struct Setup {
         T delta{}, light{}, half{};
         Plane u{}, v{};
@@ -58,8 +67,7 @@ struct EdgeEquations {
         if (quirk.arrays) return draw_arrays(s, put);
         trace.stage("pixels");
         for (const Int j : trace.each('y', s.box.y0, s.box.y1))
-            for (const Int i : trace.each('x', s.box.x0, s.box.x1))
-                put(i, j, pixel(s, i, j));
+            for (const Int i : trace.each('x', s.box.x0, s.box.x1)) put(i, j, pixel(s, i, j));
         return Fate::written;
     }
 
@@ -94,7 +102,8 @@ struct EdgeEquations {
         return c;
     }
 
-    Plane plane(const char* a, const std::array<Corner, 3>& p, const T& a0, const T& a1, const T& a2, const T& delta) const {
+    Plane plane(const char* a, const std::array<Corner, 3>& p, const T& a0, const T& a1, const T& a2,
+                const T& delta) const {
         const T x = trace({a, "_x"}, ((a1 - a0) * (p[2].y - p[0].y) - (a2 - a0) * (p[1].y - p[0].y)) / delta);
         const T y = trace({a, "_y"}, ((p[1].x - p[0].x) * (a2 - a0) - (p[2].x - p[0].x) * (a1 - a0)) / delta);
         const T k = trace({a, "_k"}, a0 - p[0].x * x - p[0].y * y);
@@ -120,8 +129,10 @@ struct EdgeEquations {
     }
 
     Box bounds(const std::array<Corner, 3>& p) const {
-        const T left = lesser(lesser(p[0].x, p[1].x), p[2].x), right = greater(greater(p[0].x, p[1].x), p[2].x);
-        const T top = lesser(lesser(p[0].y, p[1].y), p[2].y), bottom = greater(greater(p[0].y, p[1].y), p[2].y);
+        const T left = trace("x_min", lesser(lesser(p[0].x, p[1].x), p[2].x));
+        const T right = trace("x_max", greater(greater(p[0].x, p[1].x), p[2].x));
+        const T top = trace("y_min", lesser(lesser(p[0].y, p[1].y), p[2].y));
+        const T bottom = trace("y_max", greater(greater(p[0].y, p[1].y), p[2].y));
         Box box;
         box.x0 = trace("x_a", greater(whole(left), Int(frame.x0)));
         box.x1 = trace("x_b", lesser(whole(right) + 1, Int(frame.x1)));

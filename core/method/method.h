@@ -49,20 +49,20 @@ struct Job {
 
 /// What a method says of one sample, in plain numbers.
 struct Sample {
-    Integer x = 0, y = 0;            ///< absolute pixel
+    Integer x = 0, y = 0;  ///< absolute pixel
     Fate fate = Fate::written;
     Note note = Note::none;
-    double u = 0, v = 0;             ///< before wrapping [texels]; where written
-    int column = 0, row = 0;         ///< texel after wrapping; where written
+    double u = 0, v = 0;      ///< before wrapping [texels]; where written
+    int column = 0, row = 0;  ///< texel after wrapping; where written
     Rgb colour{};
 };
 using Put = std::function<void(const Sample&)>;
 
 struct Method {
-    std::string_view id, title, source;   ///< "edge-equations", "Edge equations", "S1"
-    std::string_view listing;             ///< path of its source file, as embedded
-    bool triangles = true;                ///< takes triangles; else whole convex polygons
-    QuirkSet strays = 0;                  ///< quirks under which a sample may lie outside the shape's box
+    std::string_view id, title, source;  ///< "edge-equations", "Edge equations", "S1"
+    std::string_view listing;            ///< path of its source file, as embedded
+    bool triangles = true;               ///< takes triangles; else whole convex polygons
+    QuirkSet strays = 0;                 ///< quirks under which a sample may lie outside the shape's box
     std::span<const QuirkInfo> quirks;
     std::span<const VariantInfo> variants;  ///< the last is the corrected one
 

@@ -61,8 +61,11 @@ template <template <class, class> class M, auto fields>
 Fate render(NumberFormat format, const Job& job, Image& picture) {
     return with_type(format, [&](auto type) {
         using T = decltype(type);
-        if constexpr (std::same_as<T, Exact>) return draw_into(picture, job, make<M, T>(job, fields, NoTrace{}));
-        else return job.quirks == 0 && job.light == 1 ? draw_corrected<M, T>(job, picture) : draw_flat<M, T, fields>(job, picture);
+        if constexpr (std::same_as<T, Exact>)
+            return draw_into(picture, job, make<M, T>(job, fields, NoTrace{}));
+        else
+            return job.quirks == 0 && job.light == 1 ? draw_corrected<M, T>(job, picture)
+                                                     : draw_flat<M, T, fields>(job, picture);
     });
 }
 
@@ -82,20 +85,26 @@ Fate render(NumberFormat format, const Job& job, Image& picture) {
     };
 }
 
-template <template <class, class> class M, auto fields>
+/// The window whose loops are needed: all of the frame where a sample may come from a row elsewhere.
+[[nodiscard]] inline Window needed(const Window& window, const Job& job, QuirkSet strays) {
+    return (job.quirks & strays) != 0 ? Window{job.frame, 1} : window;
+}
+
+template <template <class, class> class M, auto fields, QuirkSet strays = 0>
 Fate samples(NumberFormat format, const Job& job, const Window& window, const Put& put) {
     return with_type(format, [&](auto type) {
-        const auto method = make<M, decltype(type)>(job, fields, WindowTrace(window));
+        const auto method = make<M, decltype(type)>(job, fields, WindowTrace(needed(window, job, strays)));
         return method.draw(job.corners, put_inside(window, put));
     });
 }
 
-template <template <class, class> class M, auto fields>
+template <template <class, class> class M, auto fields, QuirkSet strays = 0>
 LineCounts until(NumberFormat format, const Job& job, const Window& window, const Path& target, const Put& put) {
     Progress progress;
     progress.target = target.unit();
     with_type(format, [&](auto type) {
-        const auto method = make<M, decltype(type)>(job, fields, PartialTrace{WindowTrace(window), &progress});
+        const auto method =
+            make<M, decltype(type)>(job, fields, PartialTrace{WindowTrace(needed(window, job, strays)), &progress});
         return method.draw(job.corners, put_inside(window, put));
     });
     return std::move(progress.counts);

@@ -7,11 +7,16 @@ namespace texelscope {
 namespace {
 
 constexpr std::array<QuirkInfo, 3> kQuirks{{
-    {"Q1", "ghost", "ghost pixels", "Rows of one pixel are skipped yet counted, so a stale slot of the row buffer is drawn."},
-    {"Q2", "end_texel", "end texel too early", "The last pixel gets the end texel (the divisor is n − 1) though the span excludes the end."},
-    {"Q3", "whole_pixels", "whole-pixel corners", "Corners are truncated to whole pixels, rows sampled at their top and texels truncated: motion jitters."},
+    {"Q1", "ghost", "ghost pixels",
+     "Rows of one pixel are skipped yet counted, so a stale slot of the row buffer is drawn."},
+    {"Q2", "end_texel", "end texel too early",
+     "The last pixel gets the end texel (the divisor is n − 1) though the span excludes the end."},
+    {"Q3", "whole_pixels", "whole-pixel corners",
+     "Corners are truncated to whole pixels, rows sampled at their top and texels truncated: motion jitters."},
 }};
 constexpr std::array<VariantInfo, 2> kVariants{{{"as-printed", 0b111}, {"corrected", 0}}};
+
+constexpr QuirkSet kStrays = 0b001;
 
 constexpr Method kMethod{
     .id = "sections",
@@ -19,12 +24,12 @@ constexpr Method kMethod{
     .source = "S2",
     .listing = "core/method/sections.h",
     .triangles = false,
-    .strays = 0b001,
+    .strays = kStrays,
     .quirks = kQuirks,
     .variants = kVariants,
     .render = run::render<Sections, kSectionsFields>,
-    .samples = run::samples<Sections, kSectionsFields>,
-    .until = run::until<Sections, kSectionsFields>,
+    .samples = run::samples<Sections, kSectionsFields, kStrays>,
+    .until = run::until<Sections, kSectionsFields, kStrays>,
     .visit = visit_sections,
 };
 const RegisterMethod kRegistered(kMethod);

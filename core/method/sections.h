@@ -25,13 +25,25 @@ struct Sections {
     using Truth = TruthOf<T>;
     using Quirks = SectionsQuirks;
 
-    struct Node { T x{}, y{}, u{}, v{}; };
+    struct Node {
+        T x{}, y{}, u{}, v{};
+    };
     using Ring = boost::container::small_vector<Node, 8>;  ///< a vector, but few corners need no allocation
-    struct Section { std::size_t left = 0, right = 0; T y_beg{}, y_end{}; Int first{}, last{}; };  ///< rows half-open
-    struct End { T m{}, x{}, u{}, v{}; };     ///< where a row meets a side
-    struct Row { End l, r; Int first{}, last{}; Integer count = 0; };  ///< pixels first, … up to but without last
+    struct Section {
+        std::size_t left = 0, right = 0;
+        T y_beg{}, y_end{};
+        Int first{}, last{};
+    };  ///< rows half-open
+    struct End {
+        T m{}, x{}, u{}, v{};
+    };  ///< where a row meets a side
+    struct Row {
+        End l, r;
+        Int first{}, last{};
+        Integer count = 0;
+    };  ///< pixels first, … up to but without last
     struct Pixel {
-        T x{}, s{}, u{}, v{};                 ///< s: how far along the row, 0 at the left end, 1 at the right
+        T x{}, s{}, u{}, v{};  ///< s: how far along the row, 0 at the left end, 1 at the right
         Texel<T> texel{};
         Fate fate = Fate::written;
         Note note = Note::none;
@@ -115,8 +127,10 @@ struct Sections {
         return s;
     }
     Section advanced(const Ring& ring, Section s) const {
-        if (plain(ring[after(ring, s.right)].y < ring[before(ring, s.left)].y)) s.right = after(ring, s.right);
-        else s.left = before(ring, s.left);
+        if (plain(ring[after(ring, s.right)].y < ring[before(ring, s.left)].y))
+            s.right = after(ring, s.right);
+        else
+            s.left = before(ring, s.left);
         s.y_beg = s.y_end;
         return s;
     }
@@ -126,7 +140,8 @@ struct Sections {
     Int row_at(const T& a) const { return quirk.whole_pixels ? round_even(a) : ceil(a - T(1) / 2); }
     T sample(const Int& i) const { return quirk.whole_pixels ? T(i) : T(i) + T(1) / 2; }
 
-    void draw_row(const Ring& ring, const Section& s, const std::vector<Section>& drawn, const Int& j, auto&& put) const {
+    void draw_row(const Ring& ring, const Section& s, const std::vector<Section>& drawn, const Int& j,
+                  auto&& put) const {
         const Row row = span(ring, s, j);
         if (quirk.ghost && row.count == 1) {
             const auto [x, y, p] = ghost(ring, drawn, j);
@@ -197,7 +212,10 @@ struct Sections {
     }
 
     static constexpr Integer kBufferRows = 4096;  ///< as far back as a slot is looked for: far-off corners cost no time
-    struct Ghost { Integer x = 0, y = 0; Pixel pixel; };
+    struct Ghost {
+        Integer x = 0, y = 0;
+        Pixel pixel;
+    };
     /// A row of one pixel is counted but not filled in, so the slot of the row buffer that is drawn for it still
     /// holds what an earlier section left there; in a fresh buffer, texel (0, 0) at pixel (0, 0).
     Ghost ghost(const Ring& ring, const std::vector<Section>& drawn, const Int& j) const {

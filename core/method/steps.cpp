@@ -16,7 +16,8 @@ constexpr std::size_t kRemembered = 12;
 
 const Visit& Steps::at(const Path& path) {
     const Path unit = path.unit();
-    const auto found = std::find_if(visits_.begin(), visits_.end(), [&](const auto& visit) { return visit->path == unit; });
+    const auto found =
+        std::find_if(visits_.begin(), visits_.end(), [&](const auto& visit) { return visit->path == unit; });
     if (found != visits_.end()) {
         visits_.splice(visits_.begin(), visits_, found);
         return *visits_.front();
@@ -89,7 +90,8 @@ std::optional<Path> Steps::before(const Path& unit, Level level) {
         return last_in(Path{{{'t', index - 1}}}, level);
     }
     const Path parent = unit.prefix(depth - 1);
-    if (depth == 2) return index > 0 ? std::optional(last_in(parent.child('s', index - 1), level)) : before(parent, level);
+    if (depth == 2)
+        return index > 0 ? std::optional(last_in(parent.child('s', index - 1), level)) : before(parent, level);
     const Unit& u = at(parent).unit();
     if (u.loop && u.loop->contains(index - u.loop->step)) {
         return last_in(parent.child(u.loop->letter, index - u.loop->step), level);
@@ -115,7 +117,8 @@ std::optional<Path> Steps::next(const Path& path, Level level) {
 
 std::optional<Path> Steps::previous(const Path& path, Level level) {
     if (path.empty()) return last(level);
-    if (level != Level::expression || !path.at_expression()) return before(level == Level::expression ? path : at_level(path, level), level);
+    if (level != Level::expression || !path.at_expression())
+        return before(level == Level::expression ? path : at_level(path, level), level);
     const Path unit = path.unit();
     const Unit& u = at(unit).unit();
     const Integer e = path.parts.back().index;
@@ -141,19 +144,21 @@ std::optional<Path> Steps::at_pixel(int shape, Integer x, Integer y) {
     return std::nullopt;
 }
 
-std::optional<Path> Steps::nearest(const Path& path, Level level) {
+std::optional<Path> Steps::nearest(const Path& wanted, Level level) {
     if (drawing_->shape_count() == 0) return std::nullopt;
-    if (path.empty()) return first(level);
+    if (wanted.empty()) return first(level);
+    const Path path = level == Level::expression ? wanted : wanted.unit().prefix(depth_of(level));
     const Integer shape = std::clamp<Integer>(path.parts[0].index, 0, drawing_->shape_count() - 1);
-    if (shape != path.parts[0].index) return last_in(Path{{{'t', shape}}}, level);
     Path found{{{'t', shape}}};
+    if (shape != path.parts[0].index) return shape == 0 ? first_in(found, level) : last_in(found, level);
     for (std::size_t depth = 1; depth < path.parts.size(); ++depth) {
         const PathPart& part = path.parts[depth];
         const Visit& visit = at(found);
         if (depth == 1) {
             const auto stages = static_cast<Integer>(visit.stages.size());
             if (stages == 0) return found;
-            if (part.index < 0 || part.index >= stages) return last_in(found.child('s', stages - 1), level);
+            if (part.index < 0) return first_in(found, level);
+            if (part.index >= stages) return last_in(found.child('s', stages - 1), level);
             found = found.child('s', part.index);
             continue;
         }
@@ -167,7 +172,8 @@ std::optional<Path> Steps::nearest(const Path& path, Level level) {
         if (part.letter != loop.letter || !loop.contains(part.index)) {
             const bool past = (part.index - loop.first) * loop.step > 0;
             if (part.letter == loop.letter && past) return last_in(found.child(loop.letter, last_round(loop)), level);
-            return before(first_in(found.child(loop.letter, loop.first), level), level).value_or(first_in(found, level));
+            return before(first_in(found.child(loop.letter, loop.first), level), level)
+                .value_or(first_in(found, level));
         }
         found = found.child(part.letter, part.index);
     }

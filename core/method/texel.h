@@ -30,8 +30,8 @@ template <class T>
 /// One sample as a method leaves it: every intermediate is in the method's own struct, this is what all have.
 template <class T>
 struct Texel {
-    IntegerOf<T> column{}, row{};   ///< in the texture, after wrapping
-    IntegerOf<T> r{}, g{}, b{};     ///< lit [0, 255]
+    IntegerOf<T> column{}, row{};  ///< in the texture, after wrapping
+    IntegerOf<T> r{}, g{}, b{};    ///< lit [0, 255]
 };
 
 }  // namespace texelscope

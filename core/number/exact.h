@@ -13,9 +13,11 @@ namespace texelscope {
 
 class Exact {
 public:
-    using Rational = boost::multiprecision::number<
-        boost::multiprecision::rational_adaptor<boost::multiprecision::cpp_int_backend<>>, boost::multiprecision::et_off>;
-    using BigInteger = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+    using Rational =
+        boost::multiprecision::number<boost::multiprecision::rational_adaptor<boost::multiprecision::cpp_int_backend<>>,
+                                      boost::multiprecision::et_off>;
+    using BigInteger =
+        boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 
     Exact() = default;
     explicit Exact(Integer whole) : value_(whole) {}
@@ -39,9 +41,15 @@ public:
     [[nodiscard]] const Rational& value() const { return value_; }
     [[nodiscard]] bool is_undefined() const { return undefined_; }
 
-    friend Exact operator+(const Exact& a, const Exact& b) { return either(a, b) ? undefined() : Exact(a.value_ + b.value_); }
-    friend Exact operator-(const Exact& a, const Exact& b) { return either(a, b) ? undefined() : Exact(a.value_ - b.value_); }
-    friend Exact operator*(const Exact& a, const Exact& b) { return either(a, b) ? undefined() : Exact(a.value_ * b.value_); }
+    friend Exact operator+(const Exact& a, const Exact& b) {
+        return either(a, b) ? undefined() : Exact(a.value_ + b.value_);
+    }
+    friend Exact operator-(const Exact& a, const Exact& b) {
+        return either(a, b) ? undefined() : Exact(a.value_ - b.value_);
+    }
+    friend Exact operator*(const Exact& a, const Exact& b) {
+        return either(a, b) ? undefined() : Exact(a.value_ * b.value_);
+    }
     friend Exact operator/(const Exact& a, const Exact& b) {
         return either(a, b) || b.value_.is_zero() ? undefined() : Exact(a.value_ / b.value_);
     }
@@ -76,9 +84,7 @@ public:
     }
     friend Exact lesser(const Exact& a, const Exact& b) { return b < a ? b : a; }
     friend Exact greater(const Exact& a, const Exact& b) { return a < b ? b : a; }
-    friend double approximate(const Exact& a) {
-        return a.undefined_ ? std::nan("") : a.value_.convert_to<double>();
-    }
+    friend double approximate(const Exact& a) { return a.undefined_ ? std::nan("") : a.value_.convert_to<double>(); }
 
 private:
     [[nodiscard]] static bool either(const Exact& a, const Exact& b) { return a.undefined_ || b.undefined_; }

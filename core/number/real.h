@@ -37,7 +37,8 @@ using IntegerOf = typename NumberTypes<T>::Int;
 template <class T>
 using TruthOf = typename NumberTypes<T>::Truth;
 
-inline constexpr double kIntegerLimit = 4.0e18;  ///< roundings saturate here, below 2^62: sums of two stay inside 64 bits
+inline constexpr double kIntegerLimit =
+    4.0e18;  ///< roundings saturate here, below 2^62: sums of two stay inside 64 bits
 
 /// The whole number of a double that is one already, saturating; NaN gives 0.
 [[nodiscard]] constexpr Integer saturated_integer(double whole) noexcept {
@@ -65,15 +66,11 @@ template <class V>
     return c ? a : b;
 }
 template <class V>
-    requires std::is_arithmetic_v<V>
-[[nodiscard]] constexpr V lesser(V a, V b) noexcept {
-    return b < a ? b : a;
-}
+requires std::is_arithmetic_v<V>
+[[nodiscard]] constexpr V lesser(V a, V b) noexcept { return b < a ? b : a; }
 template <class V>
-    requires std::is_arithmetic_v<V>
-[[nodiscard]] constexpr V greater(V a, V b) noexcept {
-    return a < b ? b : a;
-}
+requires std::is_arithmetic_v<V>
+[[nodiscard]] constexpr V greater(V a, V b) noexcept { return a < b ? b : a; }
 
 /// The value without its tape, for indexing.
 [[nodiscard]] constexpr Integer plain(Integer i) noexcept { return i; }
@@ -94,7 +91,7 @@ template <class T>
 concept Real = requires(T a, T b, IntegerOf<T> i, TruthOf<T> c) {
     { a + b } -> std::same_as<T>;
     { a - b } -> std::same_as<T>;
-    { a * b } -> std::same_as<T>;
+    { a* b } -> std::same_as<T>;
     { a / b } -> std::same_as<T>;
     { i + a } -> std::same_as<T>;
     { -a } -> std::same_as<T>;

@@ -25,23 +25,24 @@ public:
 
     Recorded() = default;
     template <class W>
-        requires std::is_arithmetic_v<W>
+    requires std::is_arithmetic_v<W>
     explicit Recorded(W constant) : value_(static_cast<V>(constant)) {}
     explicit Recorded(V value) requires(!std::is_arithmetic_v<V>) : value_(std::move(value)) {}
     /// A whole number becomes a T by construction, as in T(i).
     template <class I>
-        requires(std::same_as<I, Integer> && !std::same_as<V, Integer>)
-    explicit Recorded(const Recorded<I>& whole)
+    requires(std::same_as<I, Integer> && !std::same_as<V, Integer>) explicit Recorded(const Recorded<I>& whole)
         : Recorded(V(whole.value()), whole.writer(), Op::to_real, whole) {}
     Recorded(V value, TapeWriter* writer, std::int32_t operation)
         : value_(std::move(value)), writer_(writer), operation_(operation) {}
     /// The result of `op` on recorded operands; constants among them are put on the tape first.
     template <class A, class... Rest>
-    Recorded(V value, TapeWriter* writer, Op op, const A& a, const Rest&... rest) : value_(std::move(value)), writer_(writer) {
+    Recorded(V value, TapeWriter* writer, Op op, const A& a, const Rest&... rest)
+        : value_(std::move(value)), writer_(writer) {
         if (writer_ == nullptr || writer_->muted > 0) return;
         const std::int32_t operands[] = {a.on_tape(*writer_), rest.on_tape(*writer_)...};
-        operation_ = writer_->tape.push(op, value_, operands[0], sizeof...(Rest) > 0 ? operands[sizeof...(Rest) > 0] : -1,
-                                        sizeof...(Rest) > 1 ? operands[sizeof...(Rest)] : -1);
+        operation_ =
+            writer_->tape.push(op, value_, operands[0], sizeof...(Rest) > 0 ? operands[sizeof...(Rest) > 0] : -1,
+                               sizeof...(Rest) > 1 ? operands[sizeof...(Rest)] : -1);
     }
 
     [[nodiscard]] const V& value() const { return value_; }
@@ -85,15 +86,19 @@ template <class A, class B>
     return a.writer() != nullptr ? a.writer() : b.writer();
 }
 template <class X>
-[[nodiscard]] const X& lift(const X& x) requires IsRecorded<X>::value { return x; }
+[[nodiscard]] const X& lift(const X& x) requires IsRecorded<X>::value {
+    return x;
+}
 template <class X>
-[[nodiscard]] Recorded<Integer> lift(X x) requires std::integral<X> { return Recorded<Integer>(static_cast<Integer>(x)); }
+[[nodiscard]] Recorded<Integer> lift(X x) requires std::integral<X> {
+    return Recorded<Integer>(static_cast<Integer>(x));
+}
 [[nodiscard]] inline Recorded<bool> lift(bool x) { return Recorded<bool>(x); }
 
 template <class X>
 concept Operand = IsRecorded<X>::value || std::integral<X>;
 template <class A, class B>
-concept Operands = Operand<A> && Operand<B> && (IsRecorded<A>::value || IsRecorded<B>::value);
+concept Operands = Operand<A> && Operand<B> &&(IsRecorded<A>::value || IsRecorded<B>::value);
 
 template <class F, class A, class B>
 [[nodiscard]] auto apply(Op op, F f, const A& a_, const B& b_) {
@@ -110,23 +115,26 @@ template <class F, class V>
 /// Whole numbers beside a float are taken as that float, as the language does; never through double.
 template <class A, class B, class F>
 [[nodiscard]] auto arithmetic(const A& a, const B& b, F f) {
-    if constexpr (std::same_as<A, Integer> && std::floating_point<B>) return f(static_cast<B>(a), b);
-    else if constexpr (std::floating_point<A> && std::same_as<B, Integer>) return f(a, static_cast<A>(b));
-    else return f(a, b);
+    if constexpr (std::same_as<A, Integer> && std::floating_point<B>)
+        return f(static_cast<B>(a), b);
+    else if constexpr (std::floating_point<A> && std::same_as<B, Integer>)
+        return f(a, static_cast<A>(b));
+    else
+        return f(a, b);
 }
 
 }  // namespace recorded_detail
 
-#define TEXELSCOPE_RECORDED_OPERATOR(symbol, op)                                                                \
-    template <class A, class B>                                                                                 \
-        requires recorded_detail::Operands<A, B>                                                                \
-    [[nodiscard]] auto operator symbol(const A& a, const B& b) {                                                \
-        return recorded_detail::apply(                                                                          \
-            op,                                                                                                 \
-            [](const auto& x, const auto& y) {                                                                  \
+#define TEXELSCOPE_RECORDED_OPERATOR(symbol, op)                                                                   \
+    template <class A, class B>                                                                                    \
+    requires recorded_detail::Operands<A, B>                                                                       \
+    [[nodiscard]] auto operator symbol(const A& a, const B& b) {                                                   \
+        return recorded_detail::apply(                                                                             \
+            op,                                                                                                    \
+            [](const auto& x, const auto& y) {                                                                     \
                 return recorded_detail::arithmetic(x, y, [](const auto& s, const auto& t) { return s symbol t; }); \
-            },                                                                                                  \
-            a, b);                                                                                              \
+            },                                                                                                     \
+            a, b);                                                                                                 \
     }
 TEXELSCOPE_RECORDED_OPERATOR(+, Op::add)
 TEXELSCOPE_RECORDED_OPERATOR(-, Op::subtract)
@@ -145,34 +153,42 @@ TEXELSCOPE_RECORDED_OPERATOR(&, Op::bit_and)
 
 template <class V>
 [[nodiscard]] Recorded<V> operator-(const Recorded<V>& a) {
-    return recorded_detail::apply(Op::negate, [](const V& x) { return V(-x); }, a);
+    return recorded_detail::apply(
+        Op::negate, [](const V& x) { return V(-x); }, a);
 }
 [[nodiscard]] inline Recorded<bool> operator!(const Recorded<bool>& a) {
-    return recorded_detail::apply(Op::invert, [](bool x) { return !x; }, a);
+    return recorded_detail::apply(
+        Op::invert, [](bool x) { return !x; }, a);
 }
 template <class V>
 [[nodiscard]] Recorded<Integer> floor(const Recorded<V>& a) {
-    return recorded_detail::apply(Op::floor, [](const V& x) { return floor(x); }, a);
+    return recorded_detail::apply(
+        Op::floor, [](const V& x) { return floor(x); }, a);
 }
 template <class V>
 [[nodiscard]] Recorded<Integer> trunc(const Recorded<V>& a) {
-    return recorded_detail::apply(Op::trunc, [](const V& x) { return trunc(x); }, a);
+    return recorded_detail::apply(
+        Op::trunc, [](const V& x) { return trunc(x); }, a);
 }
 template <class V>
 [[nodiscard]] Recorded<Integer> ceil(const Recorded<V>& a) {
-    return recorded_detail::apply(Op::ceil, [](const V& x) { return ceil(x); }, a);
+    return recorded_detail::apply(
+        Op::ceil, [](const V& x) { return ceil(x); }, a);
 }
 template <class V>
 [[nodiscard]] Recorded<Integer> round_even(const Recorded<V>& a) {
-    return recorded_detail::apply(Op::round_even, [](const V& x) { return round_even(x); }, a);
+    return recorded_detail::apply(
+        Op::round_even, [](const V& x) { return round_even(x); }, a);
 }
 template <class V>
 [[nodiscard]] Recorded<V> lesser(const Recorded<V>& a, const Recorded<V>& b) {
-    return recorded_detail::apply(Op::lesser, [](const V& x, const V& y) { return lesser(x, y); }, a, b);
+    return recorded_detail::apply(
+        Op::lesser, [](const V& x, const V& y) { return lesser(x, y); }, a, b);
 }
 template <class V>
 [[nodiscard]] Recorded<V> greater(const Recorded<V>& a, const Recorded<V>& b) {
-    return recorded_detail::apply(Op::greater_of, [](const V& x, const V& y) { return greater(x, y); }, a, b);
+    return recorded_detail::apply(
+        Op::greater_of, [](const V& x, const V& y) { return greater(x, y); }, a, b);
 }
 template <class V>
 [[nodiscard]] Recorded<V> choose(const Recorded<bool>& c, const Recorded<V>& a, const Recorded<V>& b) {
@@ -180,7 +196,8 @@ template <class V>
     return Recorded<V>(c.value() ? a.value() : b.value(), writer, Op::choose, c, a, b);
 }
 [[nodiscard]] inline Recorded<Integer> euclidean_modulo(const Recorded<Integer>& a, Integer size) {
-    return recorded_detail::apply(Op::modulo, [](Integer x, Integer y) { return euclidean_modulo(x, y); }, a, size);
+    return recorded_detail::apply(
+        Op::modulo, [](Integer x, Integer y) { return euclidean_modulo(x, y); }, a, size);
 }
 [[nodiscard]] inline Integer plain(const Recorded<Integer>& i) { return i.value(); }
 [[nodiscard]] inline bool plain(const Recorded<bool>& b) { return b.value(); }

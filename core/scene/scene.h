@@ -16,8 +16,8 @@ enum class Depth : std::uint8_t { off, less };
 enum class Cull : std::uint8_t { none, back };
 
 struct Framebuffer {
-    int width = 64, height = 48;      ///< [px], 1 to kMaxSize
-    int origin_x = 0, origin_y = 0;   ///< the absolute pixel at the picture's top left
+    int width = 64, height = 48;     ///< [px], 1 to kMaxSize
+    int origin_x = 0, origin_y = 0;  ///< the absolute pixel at the picture's top left
     Rgb clear{};
 
     [[nodiscard]] Rect rect() const { return {origin_x, origin_y, origin_x + width, origin_y + height}; }

@@ -12,7 +12,9 @@ public:
     [[nodiscard]] std::string root(std::int32_t operation) const { return inner(operation); }
 
 private:
-    [[nodiscard]] const Operation& at(std::int32_t operation) const { return tape_.operations[static_cast<std::size_t>(operation)]; }
+    [[nodiscard]] const Operation& at(std::int32_t operation) const {
+        return tape_.operations[static_cast<std::size_t>(operation)];
+    }
 
     [[nodiscard]] std::string number(const Value& value) const {
         std::string text = full_text(value);
@@ -101,8 +103,18 @@ const char* symbol_of(Op op) {
 
 bool is_infix(Op op) {
     switch (op) {
-        case Op::add: case Op::subtract: case Op::multiply: case Op::divide: case Op::less: case Op::less_equal:
-        case Op::greater: case Op::greater_equal: case Op::equal: case Op::not_equal: case Op::both: case Op::either:
+        case Op::add:
+        case Op::subtract:
+        case Op::multiply:
+        case Op::divide:
+        case Op::less:
+        case Op::less_equal:
+        case Op::greater:
+        case Op::greater_equal:
+        case Op::equal:
+        case Op::not_equal:
+        case Op::both:
+        case Op::either:
         case Op::bit_and: return true;
         default: return false;
     }
@@ -113,11 +125,18 @@ int precedence_of(Op op) {
         case Op::either: return 1;
         case Op::both: return 2;
         case Op::bit_and: return 3;
-        case Op::equal: case Op::not_equal: return 4;
-        case Op::less: case Op::less_equal: case Op::greater: case Op::greater_equal: return 5;
-        case Op::add: case Op::subtract: return 6;
-        case Op::multiply: case Op::divide: return 7;
-        case Op::negate: case Op::invert: return 8;
+        case Op::equal:
+        case Op::not_equal: return 4;
+        case Op::less:
+        case Op::less_equal:
+        case Op::greater:
+        case Op::greater_equal: return 5;
+        case Op::add:
+        case Op::subtract: return 6;
+        case Op::multiply:
+        case Op::divide: return 7;
+        case Op::negate:
+        case Op::invert: return 8;
         default: return kTightest;
     }
 }

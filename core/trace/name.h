@@ -27,7 +27,8 @@ public:
         if (empty()) return {};
         std::string text(base_);
         if (rest_ != nullptr) text += rest_;
-        if (index_ >= 0) text += '_', text += letter_ ? std::string(1, static_cast<char>('A' + index_)) : std::to_string(index_);
+        if (index_ >= 0)
+            text += '_', text += letter_ ? std::string(1, static_cast<char>('A' + index_)) : std::to_string(index_);
         return text;
     }
 

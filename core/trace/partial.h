@@ -14,13 +14,15 @@ using LineCounts = std::vector<std::int64_t>;
 
 /// How far a partial run has come. Shared by the copies of its trace.
 struct Progress {
-    Path target;           ///< the unit that runs last; empty: run everything
+    Path target;  ///< the unit that runs last; empty: run everything
     LineCounts counts;
     int stage = -1;
-    std::size_t depth = 2; ///< of the next loop on the way to the target
-    bool at_edge = true;   ///< the rounds entered so far are the target's own
+    std::size_t depth = 2;  ///< of the next loop on the way to the target
+    bool at_edge = true;    ///< the rounds entered so far are the target's own
 
-    [[nodiscard]] int target_stage() const { return target.parts.size() < 2 ? 1 << 20 : static_cast<int>(target.parts[1].index); }
+    [[nodiscard]] int target_stage() const {
+        return target.parts.size() < 2 ? 1 << 20 : static_cast<int>(target.parts[1].index);
+    }
     /// The last round of a loop that starts now, or nothing where all its rounds run.
     [[nodiscard]] const PathPart* last_round(char letter) const {
         if (stage != target_stage() || !at_edge || depth >= target.parts.size()) return nullptr;
@@ -51,8 +53,10 @@ public:
 private:
     Integer enter(Integer at) {
         inside_ = limited_;
-        if (inside_ && at == edge_) ++progress_->depth, at_target_ = true;
-        else if (inside_) progress_->at_edge = false;
+        if (inside_ && at == edge_)
+            ++progress_->depth, at_target_ = true;
+        else if (inside_)
+            progress_->at_edge = false;
         return at;
     }
     void leave() {
@@ -89,10 +93,12 @@ struct PartialTrace {
         return limited(letter, first, last, 1, [&](Integer end) { return window.walk(letter, first, end); });
     }
     PartialRange fill(char, Integer first, Integer last) const {
-        return {*progress, progress->stage > progress->target_stage() ? Range(first, first, 1) : Range(first, last, 1), nullptr};
+        return {*progress, progress->stage > progress->target_stage() ? Range(first, first, 1) : Range(first, last, 1),
+                nullptr};
     }
     PartialRange toward(char letter, Integer first, Integer last) const {
-        return limited(letter, first, last, first <= last ? 1 : -1, [&](Integer end) { return window.toward(letter, first, end); });
+        return limited(letter, first, last, first <= last ? 1 : -1,
+                       [&](Integer end) { return window.toward(letter, first, end); });
     }
     auto quiet(auto&& stage) const { return stage(); }
 
@@ -100,7 +106,8 @@ private:
     PartialRange limited(char letter, Integer first, Integer last, int step, auto&& range) const {
         if (progress->stage > progress->target_stage()) return {*progress, Range(first, first, 1), nullptr};
         const PathPart* target = progress->last_round(letter);
-        const bool inside = target != nullptr && (target->index - first) * step >= 0 && (last - target->index) * step > 0;
+        const bool inside =
+            target != nullptr && (target->index - first) * step >= 0 && (last - target->index) * step > 0;
         return {*progress, range(inside ? target->index + step : last), target};
     }
 };

@@ -35,7 +35,8 @@ struct Path {
     [[nodiscard]] int depth() const { return static_cast<int>(parts.size()) - at_expression(); }
     /// The first `depth` parts.
     [[nodiscard]] Path prefix(int depth) const {
-        return {{parts.begin(), parts.begin() + std::min<std::ptrdiff_t>(depth, static_cast<std::ptrdiff_t>(parts.size()))}};
+        return {{parts.begin(),
+                 parts.begin() + std::min<std::ptrdiff_t>(depth, static_cast<std::ptrdiff_t>(parts.size()))}};
     }
     [[nodiscard]] Path unit() const { return prefix(depth()); }
     [[nodiscard]] Path child(char letter, Integer index) const {

@@ -75,7 +75,8 @@ Visit Recording::finish(Fate shape_fate) && {
 
 Recorded<Integer> RecordedRange::enter(Integer at) {
     TapeWriter& writer = recording_->writer();
-    static constexpr const char kLetters[] = "a\0b\0c\0d\0e\0f\0g\0h\0i\0j\0k\0l\0m\0n\0o\0p\0q\0r\0s\0t\0u\0v\0w\0x\0y\0z";
+    static constexpr const char kLetters[] =
+        "a\0b\0c\0d\0e\0f\0g\0h\0i\0j\0k\0l\0m\0n\0o\0p\0q\0r\0s\0t\0u\0v\0w\0x\0y\0z";
     const Name name(&kLetters[2 * (letter_ - 'a')]);
     if (plan_.has_target && at == plan_.target) {
         inside_ = Inside::target_round;

@@ -19,7 +19,9 @@ struct Loop {
     int step = 1;
 
     [[nodiscard]] Integer count() const { return (last - first) * step > 0 ? (last - first) * step : 0; }
-    [[nodiscard]] bool contains(Integer index) const { return (index - first) * step >= 0 && (last - index) * step > 0; }
+    [[nodiscard]] bool contains(Integer index) const {
+        return (index - first) * step >= 0 && (last - index) * step > 0;
+    }
     friend bool operator==(const Loop&, const Loop&) = default;
 };
 
@@ -38,12 +40,12 @@ struct Stage {
 
 /// All that is known of one step.
 struct Visit {
-    Path path;                 ///< of the unit; no expression
+    Path path;  ///< of the unit; no expression
     Tape tape;
-    std::vector<Unit> units;   ///< units[0] the shape, units[1] the stage, … one for each part of the path
-    std::vector<Stage> stages; ///< of the shape
+    std::vector<Unit> units;    ///< units[0] the shape, units[1] the stage, … one for each part of the path
+    std::vector<Stage> stages;  ///< of the shape
     Fate shape_fate = Fate::written;
-    bool found = true;         ///< false where the path leads nowhere
+    bool found = true;  ///< false where the path leads nowhere
 
     [[nodiscard]] const Unit& unit() const { return units.back(); }
 };
@@ -128,7 +130,7 @@ struct Listener {
     }
     /// Plain values become leaves, so that they have a name on the tape.
     template <class V>
-        requires std::integral<V>
+    requires std::integral<V>
     auto operator()(Name name, V value, int line = __builtin_LINE()) const {
         using Kind = std::conditional_t<std::same_as<V, bool>, bool, Integer>;
         return (*this)(name, Recorded<Kind>(static_cast<Kind>(value)), line);

@@ -31,13 +31,17 @@ std::string text_of_value(Integer x) { return std::to_string(x); }
 std::string text_of_value(double x) { return text_of_double(x, 17); }
 std::string text_of_value(float x) { return text_of_double(static_cast<double>(x), 9); }
 template <int I, int F>
-std::string text_of_value(const Fixed<I, F>& x) { return text_of_raw(x.raw(), F); }
+std::string text_of_value(const Fixed<I, F>& x) {
+    return text_of_raw(x.raw(), F);
+}
 std::string text_of_value(const Exact& x) { return x.is_undefined() ? "nan" : x.value().str(); }
 
 double approximate_value(bool x) { return x ? 1 : 0; }
 double approximate_value(Integer x) { return static_cast<double>(x); }
 template <class T>
-double approximate_value(const T& x) { return approximate(x); }
+double approximate_value(const T& x) {
+    return approximate(x);
+}
 
 }  // namespace
 

@@ -16,14 +16,30 @@ enum class Op : std::uint8_t {
     input,     ///< a number from outside: a coordinate, a texel's channel, a loop variable
     constant,  ///< a number that stands in the source
     same,      ///< another name for operand a
-    add, subtract, multiply, divide, negate,
-    to_real,   ///< a whole number as a T
-    floor, trunc, ceil, round_even,
-    less, less_equal, greater, greater_equal, equal, not_equal,
-    both, either, invert,
-    choose,    ///< operand a decides between b and c
-    lesser, greater_of, bit_and,
-    modulo,    ///< Euclidean
+    add,
+    subtract,
+    multiply,
+    divide,
+    negate,
+    to_real,  ///< a whole number as a T
+    floor,
+    trunc,
+    ceil,
+    round_even,
+    less,
+    less_equal,
+    greater,
+    greater_equal,
+    equal,
+    not_equal,
+    both,
+    either,
+    invert,
+    choose,  ///< operand a decides between b and c
+    lesser,
+    greater_of,
+    bit_and,
+    modulo,  ///< Euclidean
 };
 
 /// The value of one operation, in the type that computed it.
@@ -39,8 +55,8 @@ struct Operation {
 struct Named {
     std::int32_t operation = -1;  ///< index of the operation that made the value
     Name name;
-    int line = 0;                 ///< of the listing, from 1
-    bool loop_variable = false;   ///< the variable of a loop, not an expression
+    int line = 0;                ///< of the listing, from 1
+    bool loop_variable = false;  ///< the variable of a loop, not an expression
 };
 
 struct Tape {

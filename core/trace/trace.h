@@ -64,7 +64,9 @@ private:
 /// Nobody watches.
 struct NoTrace {
     template <class V>
-    constexpr V operator()(Name, V value, int = 0) const { return value; }
+    constexpr V operator()(Name, V value, int = 0) const {
+        return value;
+    }
     constexpr void stage(const char*) const {}
     constexpr Fate fate(Fate fate) const { return fate; }
     constexpr UpRange each(char, Integer first, Integer last) const { return {first, last}; }
@@ -89,7 +91,8 @@ struct WindowTrace : NoTrace {
         if (letter != 'x' && letter != 'y') return {first, last, 1};
         const Integer low = letter == 'x' ? window.rect.x0 : window.rect.y0;
         const Integer high = letter == 'x' ? window.rect.x1 : window.rect.y1;
-        const Integer start = first <= low ? low : low + (first - low + window.stride - 1) / window.stride * window.stride;
+        const Integer start =
+            first <= low ? low : low + (first - low + window.stride - 1) / window.stride * window.stride;
         return {start, last < high ? last : high, window.stride};
     }
     /// The rounds before the window are needed, those after it are not.
@@ -110,7 +113,7 @@ struct WindowTrace : NoTrace {
 
 template <class Trace>
 concept Traceable = requires(const Trace trace, double value, IntegerOf<double> i) {
-    { trace.stage("name") };
+    {trace.stage("name")};
     { trace.fate(Fate::written) } -> std::same_as<Fate>;
 };
 
