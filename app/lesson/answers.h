@@ -1,0 +1,33 @@
+// The engine's answers, one function a question; questions.cpp has the table.
+#pragma once
+
+#include "app/lesson/questions.h"
+
+namespace texelscope::answers {
+
+// The picture as an array, and who writes what (answers_picture.cpp).
+[[nodiscard]] Accepted pixel_of_byte(const Asked& asked);
+[[nodiscard]] Accepted byte_of_pixel(const Asked& asked);
+[[nodiscard]] Accepted address_of(const Asked& asked);
+[[nodiscard]] Accepted doubles(const Asked& asked);
+[[nodiscard]] Accepted drawn(const Asked& asked);
+[[nodiscard]] Accepted owner(const Asked& asked);
+[[nodiscard]] Accepted texel_of(const Asked& asked);
+
+// Steps, values and lines of any method (answers_steps.cpp).
+[[nodiscard]] Accepted value(const Asked& asked);
+[[nodiscard]] Accepted row_pixels(const Asked& asked);
+[[nodiscard]] Accepted guilty_line(const Asked& asked);
+
+// Triangles by edge equations (answers_triangle.cpp).
+[[nodiscard]] Accepted fate(const Asked& asked);
+[[nodiscard]] Accepted box_samples(const Asked& asked);
+[[nodiscard]] Accepted drawn_after_exchange(const Asked& asked);
+[[nodiscard]] Accepted changed_coefficients(const Asked& asked);
+
+// Convex polygons in sections (answers_polygon.cpp).
+[[nodiscard]] Accepted sections(const Asked& asked);
+[[nodiscard]] Accepted next_pointer(const Asked& asked);
+[[nodiscard]] Accepted ghost(const Asked& asked);
+
+}  // namespace texelscope::answers
