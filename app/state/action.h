@@ -12,58 +12,122 @@ namespace texelscope {
 
 namespace action {
 
-struct Open { std::shared_ptr<const Document> document; };    ///< at its first beat
-struct Reload { std::shared_ptr<const Document> document; };  ///< the same document, saved anew: the cursor stays
-struct Say { Message message; };
+struct Open {
+    std::shared_ptr<const Document> document;
+};  ///< at its first beat
+struct Reload {
+    std::shared_ptr<const Document> document;
+};  ///< the same document, saved anew: the cursor stays
+struct Say {
+    Message message;
+};
 
-struct Step { int count = 1; };          ///< forward, or back where negative, at the cursor's level
-struct StepTo { Path path; };            ///< also changes to the path's level
-struct StepEnd { bool last = false; };
-struct Advance { int count = 1; };       ///< PgDn, PgUp: a beat of the lesson; a step where there is none
-struct SetLevel { Level level; };
-struct Finer { int count = 1; };         ///< coarser where negative
+struct Step {
+    int count = 1;
+};  ///< forward, or back where negative, at the cursor's level
+struct StepTo {
+    Path path;
+};  ///< also changes to the path's level
+struct StepEnd {
+    bool last = false;
+};
+struct Advance {
+    int count = 1;
+};  ///< PgDn, PgUp: a beat of the lesson; a step where there is none
+struct SetLevel {
+    Level level;
+};
+struct Finer {
+    int count = 1;
+};  ///< coarser where negative
 struct StepIn {};
 struct FinishUnit {};
-struct Play { bool on; };
-struct Speed { float factor; };
+struct Play {
+    bool on;
+};
+struct Speed {
+    float factor;
+};
 struct ToggleBookmark {};
-struct GoToBookmark { int direction = 1; };
+struct GoToBookmark {
+    int direction = 1;
+};
 
-struct MoveVertex { Handle handle; glm::vec2 to; int gesture = 0; };  ///< moves of one gesture are one undo entry
-struct ChooseHandle { Handle handle; };
-struct SetFormat { NumberFormat format; };
-struct SetMode { NumberMode mode; };
-struct SetVariant { std::string id; };
-struct SetQuirk { int index; bool on; };
-struct SetMethod { std::string id; };
-struct SetTexture { std::string file; std::shared_ptr<const Texture> texture; };
+struct MoveVertex {
+    Handle handle;
+    glm::vec2 to;
+    int gesture = 0;
+};  ///< moves of one gesture are one undo entry
+struct ChooseHandle {
+    Handle handle;
+};
+struct SetFormat {
+    NumberFormat format;
+};
+struct SetMode {
+    NumberMode mode;
+};
+struct SetVariant {
+    std::string id;
+};
+struct SetQuirk {
+    int index;
+    bool on;
+};
+struct SetMethod {
+    std::string id;
+};
+struct SetTexture {
+    std::string file;
+    std::shared_ptr<const Texture> texture;
+};
 
-struct Choose { int option; };           ///< of the beat's prediction; toggles where many may be chosen
-struct Type { std::string text; };       ///< a number as the answer
-struct Point { glm::ivec2 place; };      ///< a pixel, texel or line as the answer
+struct Choose {
+    int option;
+};  ///< of the beat's prediction; toggles where many may be chosen
+struct Type {
+    std::string text;
+};  ///< a number as the answer
+struct Point {
+    glm::ivec2 place;
+};  ///< a pixel, texel or line as the answer
 struct Check {};
 struct Skip {};
 
-struct Hover { Selection what; };
-struct Pin { Selection what; };          ///< pinning what is pinned lets it go
-struct SetLook { Look look; };
-struct Show { Overlay overlay; };
-struct ChooseLesson { int index; };
-struct Escape {};                        ///< closes what is open, then lets go of pins, then stops playing
+struct Hover {
+    Selection what;
+};
+struct Pin {
+    Selection what;
+};  ///< pinning what is pinned lets it go
+struct SetLook {
+    Look look;
+};
+struct Show {
+    Overlay overlay;
+};
+struct ChooseLesson {
+    int index;
+};
+struct Escape {};  ///< closes what is open, then lets go of pins, then stops playing
 
 struct Undo {};
 struct Redo {};
-struct Reset {};                         ///< the document as it was opened; undoable
-struct Restore { Work work; Cursor cursor; };  ///< a pasted state of the document that is open
+struct Reset {};  ///< the document as it was opened; undoable
+struct Restore {
+    Work work;
+    Cursor cursor;
+};  ///< a pasted state of the document that is open
 
 }  // namespace action
 
-using Action = std::variant<
-    action::Open, action::Reload, action::Say, action::Step, action::StepTo, action::StepEnd, action::Advance,
-    action::SetLevel, action::Finer, action::StepIn, action::FinishUnit, action::Play, action::Speed,
-    action::ToggleBookmark, action::GoToBookmark, action::MoveVertex, action::ChooseHandle, action::SetFormat,
-    action::SetMode, action::SetVariant, action::SetQuirk, action::SetMethod, action::SetTexture, action::Choose,
-    action::Type, action::Point, action::Check, action::Skip, action::Hover, action::Pin, action::SetLook,
-    action::Show, action::ChooseLesson, action::Escape, action::Undo, action::Redo, action::Reset, action::Restore>;
+using Action =
+    std::variant<action::Open, action::Reload, action::Say, action::Step, action::StepTo, action::StepEnd,
+                 action::Advance, action::SetLevel, action::Finer, action::StepIn, action::FinishUnit, action::Play,
+                 action::Speed, action::ToggleBookmark, action::GoToBookmark, action::MoveVertex, action::ChooseHandle,
+                 action::SetFormat, action::SetMode, action::SetVariant, action::SetQuirk, action::SetMethod,
+                 action::SetTexture, action::Choose, action::Type, action::Point, action::Check, action::Skip,
+                 action::Hover, action::Pin, action::SetLook, action::Show, action::ChooseLesson, action::Escape,
+                 action::Undo, action::Redo, action::Reset, action::Restore>;
 
 }  // namespace texelscope

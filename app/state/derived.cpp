@@ -22,7 +22,8 @@ namespace {
         const Named& named = visit.tape.names[static_cast<std::size_t>(n)];
         const Operation& operation = visit.tape.operations[static_cast<std::size_t>(named.operation)];
         fallback = &named;
-        const bool whole = std::holds_alternative<bool>(operation.value) || std::holds_alternative<Integer>(operation.value);
+        const bool whole =
+            std::holds_alternative<bool>(operation.value) || std::holds_alternative<Integer>(operation.value);
         if (!trivial(operation.op) && !whole) best = &named;
     }
     return best != nullptr ? best : fallback;
@@ -40,10 +41,12 @@ void Derived::update(const State& state) {
     const bool drawing_same = scene_same && c.drawing && c.drawing->settings() == settings_of(state.work);
     const bool step_same = drawing_same && c.state.cursor == state.cursor && c.state.pinned == state.pinned;
     c.state = state;
-    if (!scene_same) c.scene = std::make_unique<Scene>(state.document ? edited_scene(*state.document, state.work) : Scene{});
+    if (!scene_same)
+        c.scene = std::make_unique<Scene>(state.document ? edited_scene(*state.document, state.work) : Scene{});
     if (!drawing_same) {
         const DrawSettings settings = settings_of(state.work);
-        if (!c.drawing || c.drawing->settings().method != settings.method) c.listing = load_listing(settings.method->listing);
+        if (!c.drawing || c.drawing->settings().method != settings.method)
+            c.listing = load_listing(settings.method->listing);
         c.drawing = std::make_unique<Drawing>(*c.scene, settings);
         c.steps = std::make_unique<Steps>(*c.drawing);
         c.of_drawing = {};
@@ -74,7 +77,8 @@ const Named* Derived::named() const {
     const Path& step = cache_->state.cursor.step;
     if (step.at_expression()) {
         const auto e = static_cast<std::size_t>(step.parts.back().index);
-        return e < v.unit().expressions.size() ? &v.tape.names[static_cast<std::size_t>(v.unit().expressions[e])] : nullptr;
+        return e < v.unit().expressions.size() ? &v.tape.names[static_cast<std::size_t>(v.unit().expressions[e])]
+                                               : nullptr;
     }
     if (cache_->state.pinned.kind == Selection::Kind::name) {
         for (auto named = v.tape.names.rbegin(); named != v.tape.names.rend(); ++named) {
@@ -111,7 +115,8 @@ std::optional<glm::ivec2> Derived::texel() const {
     const Visit& v = visit();
     const Path& step = cache_->state.cursor.step;
     const auto& own = v.unit().expressions;
-    const std::size_t end = step.at_expression() ? std::min(own.size(), static_cast<std::size_t>(step.parts.back().index) + 1) : own.size();
+    const std::size_t end =
+        step.at_expression() ? std::min(own.size(), static_cast<std::size_t>(step.parts.back().index) + 1) : own.size();
     for (std::size_t k = 0; k < end; ++k) {
         const Named& named = v.tape.names[static_cast<std::size_t>(own[k])];
         const Value& value = v.tape.operations[static_cast<std::size_t>(named.operation)].value;

@@ -17,20 +17,20 @@ namespace texelscope {
 
 /// A sample as the canvas shows it at the cursor's step.
 struct CanvasCell {
-    Rgb now{}, later{};          ///< written so far; what will be there in the end
-    std::uint8_t writes = 0;     ///< so far, up to 255
+    Rgb now{}, later{};       ///< written so far; what will be there in the end
+    std::uint8_t writes = 0;  ///< so far, up to 255
     std::uint8_t writes_in_all = 0;
-    bool visited = false;        ///< by the current shape so far, written or not
-    bool will_be_visited = false;  ///< by the current shape, in the end
+    bool visited = false;           ///< by the current shape so far, written or not
+    bool will_be_visited = false;   ///< by the current shape, in the end
     Fate fate = Fate::outside_box;  ///< of the current shape's last sample there
     Note note = Note::none;
 };
 
 /// The part of the picture that the canvas has in view.
 struct CanvasPicture {
-    Window window;               ///< one cell for each sample in it
+    Window window;  ///< one cell for each sample in it
     Grid<CanvasCell> cells;
-    std::uint64_t version = 0;   ///< another whenever a cell differs
+    std::uint64_t version = 0;  ///< another whenever a cell differs
 };
 
 /// One child of a unit in a lane of the timeline.
@@ -42,10 +42,10 @@ struct Lane {
     char letter = 't';
     Integer first = 0, count = 0;
     int step = 1;
-    Integer current = -1;                ///< position of the cursor's child among them, or -1
-    std::vector<std::string> labels;     ///< of stages and expressions; empty: the index is the label
-    std::vector<TickKind> kinds;         ///< where count <= kMaxTicks; else empty
-    std::vector<std::uint8_t> folded;    ///< of expressions: trivial, drawn narrow
+    Integer current = -1;              ///< position of the cursor's child among them, or -1
+    std::vector<std::string> labels;   ///< of stages and expressions; empty: the index is the label
+    std::vector<TickKind> kinds;       ///< where count <= kMaxTicks; else empty
+    std::vector<std::uint8_t> folded;  ///< of expressions: trivial, drawn narrow
 };
 inline constexpr Integer kMaxTicks = 4096;
 
@@ -54,9 +54,9 @@ struct Variable {
     std::string name;
     Value value;
     int line = 0;
-    bool changed = false;    ///< since the step before
-    bool own = false;        ///< made in the current unit
-    std::int32_t named = -1; ///< index in the tape's names
+    bool changed = false;     ///< since the step before
+    bool own = false;         ///< made in the current unit
+    std::int32_t named = -1;  ///< index in the tape's names
 };
 
 /// What a selection means in every view.
@@ -83,7 +83,7 @@ public:
     /// Takes over a new state; what no longer holds is forgotten. Call before anything else.
     void update(const State& state);
 
-    [[nodiscard]] const Scene& scene() const;          ///< with the person's edits
+    [[nodiscard]] const Scene& scene() const;  ///< with the person's edits
     [[nodiscard]] const Drawing& drawing() const;
     [[nodiscard]] Steps& steps() const;
     [[nodiscard]] const Method& method() const;
@@ -92,9 +92,9 @@ public:
     [[nodiscard]] const Visit& visit() const;
     /// The traced value the cursor stands on at expression level, else the last one of its unit; null where none.
     [[nodiscard]] const Named* named() const;
-    [[nodiscard]] int line() const;                    ///< the current line of the listing; 0 for none
-    [[nodiscard]] int shape() const;                   ///< the cursor's; -1 without shapes
-    [[nodiscard]] const Texture& texture() const;      ///< of the cursor's shape
+    [[nodiscard]] int line() const;                ///< the current line of the listing; 0 for none
+    [[nodiscard]] int shape() const;               ///< the cursor's; -1 without shapes
+    [[nodiscard]] const Texture& texture() const;  ///< of the cursor's shape
     /// The current pixel (absolute), where the step lies in one.
     [[nodiscard]] std::optional<glm::ivec2> pixel() const;
     [[nodiscard]] std::optional<Integer> row() const;
@@ -103,9 +103,9 @@ public:
 
     [[nodiscard]] const Image& final_picture() const;
     [[nodiscard]] const CanvasPicture& canvas(const Window& window) const;
-    [[nodiscard]] std::vector<Lane> lanes() const;     ///< T, G, S, P, E in this order, always five
+    [[nodiscard]] std::vector<Lane> lanes() const;                 ///< T, G, S, P, E in this order, always five
     [[nodiscard]] const std::vector<Variable>& variables() const;  ///< changed first, then by age
-    [[nodiscard]] const LineCounts& line_counts() const;  ///< up to the cursor, in the current shape
+    [[nodiscard]] const LineCounts& line_counts() const;           ///< up to the cursor, in the current shape
     /// (u, v) of every sample of the current row of the current shape, in order: the path on the texture.
     [[nodiscard]] const std::vector<Sample>& row_samples() const;
     [[nodiscard]] const std::vector<Notice>& notices() const;

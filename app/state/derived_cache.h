@@ -21,7 +21,7 @@ struct Derived::Cache {
     struct OfDrawing {
         std::optional<Image> final_picture;
         std::optional<std::vector<Notice>> notices;
-        std::optional<CanvasPicture> whole;    ///< the end of the drawing, over the canvas' window
+        std::optional<CanvasPicture> whole;  ///< the end of the drawing, over the canvas' window
         std::map<std::pair<int, Integer>, std::vector<TickKind>> rows;  ///< of a shape's stage
     };
     /// Holds as long as the cursor stays.
@@ -38,6 +38,7 @@ struct Derived::Cache {
     std::uint64_t version = 0;
 };
 
-[[nodiscard]] std::vector<Variable> make_variables(const Visit& visit, const Named* now, const Cursor& cursor, Steps& steps);
+[[nodiscard]] std::vector<Variable> make_variables(const Visit& visit, const Named* now, const Cursor& cursor,
+                                                   Steps& steps);
 
 }  // namespace texelscope

@@ -7,7 +7,8 @@ namespace texelscope {
 namespace {
 
 [[nodiscard]] glm::ivec2 cell_of(const Window& window, const Sample& s) {
-    return {(static_cast<int>(s.x) - window.rect.x0) / window.stride, (static_cast<int>(s.y) - window.rect.y0) / window.stride};
+    return {(static_cast<int>(s.x) - window.rect.x0) / window.stride,
+            (static_cast<int>(s.y) - window.rect.y0) / window.stride};
 }
 
 [[nodiscard]] CanvasPicture blank(const Window& window, Rgb clear) {
@@ -17,7 +18,9 @@ namespace {
     return {window, Grid<CanvasCell>(cells(window.rect.width()), cells(window.rect.height()), cell), 0};
 }
 
-[[nodiscard]] std::uint8_t one_more(std::uint8_t count) { return count < 255 ? static_cast<std::uint8_t>(count + 1) : count; }
+[[nodiscard]] std::uint8_t one_more(std::uint8_t count) {
+    return count < 255 ? static_cast<std::uint8_t>(count + 1) : count;
+}
 
 [[nodiscard]] bool same(const Window& a, const Window& b) { return a.rect == b.rect && a.stride == b.stride; }
 
@@ -25,7 +28,8 @@ namespace {
 [[nodiscard]] bool unfinished(const Cursor& cursor, const Visit& visit, int shape, const Sample& s) {
     const Path& step = cursor.step;
     if (!step.at_expression() || step.index_of('x') != s.x || step.index_of('y') != s.y) return false;
-    return step.parts[0].index == shape && step.parts.back().index + 1 < static_cast<Integer>(visit.unit().expressions.size());
+    return step.parts[0].index == shape &&
+           step.parts.back().index + 1 < static_cast<Integer>(visit.unit().expressions.size());
 }
 
 }  // namespace
@@ -79,9 +83,10 @@ const LineCounts& Derived::line_counts() const {
     auto& counts = cache_->of_step.counts;
     if (!counts) {
         // Counted over the whole frame where that is cheap; a large shape's are counted up to its current row only.
-        counts = shape() < 0 ? LineCounts{}
-                             : method().until(drawing().settings().format, drawing().job(shape()), {scene().framebuffer.rect(), 1},
-                                              cache_->state.cursor.step, [](const Sample&) {});
+        counts = shape() < 0
+                     ? LineCounts{}
+                     : method().until(drawing().settings().format, drawing().job(shape()),
+                                      {scene().framebuffer.rect(), 1}, cache_->state.cursor.step, [](const Sample&) {});
     }
     return *counts;
 }

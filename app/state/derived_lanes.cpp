@@ -36,7 +36,8 @@ constexpr Integer kCheapSamples = 1 << 18;  ///< of a shape whose rows are looke
     int repeated = 0;
     for (std::size_t n = 0; n < visit.stages.size(); ++n) {
         const std::string& name = visit.stages[n].name;
-        const bool again = std::count_if(visit.stages.begin(), visit.stages.end(), [&](const Stage& s) { return s.name == name; }) > 1;
+        const bool again =
+            std::count_if(visit.stages.begin(), visit.stages.end(), [&](const Stage& s) { return s.name == name; }) > 1;
         lane.labels.push_back(again ? name + " " + std::to_string(++repeated) : name);
     }
     return lane;
@@ -52,7 +53,8 @@ constexpr Integer kCheapSamples = 1 << 18;  ///< of a shape whose rows are looke
         const bool trivial = operation.op == Op::input || operation.op == Op::constant || operation.op == Op::same;
         lane.labels.push_back(named.name.text());
         lane.folded.push_back(trivial);
-        lane.kinds.push_back(undefined(operation.value) || overflowed(operation.value) ? TickKind::mark : TickKind::covered);
+        lane.kinds.push_back(undefined(operation.value) || overflowed(operation.value) ? TickKind::mark
+                                                                                       : TickKind::covered);
     }
     return lane;
 }
@@ -65,24 +67,31 @@ std::vector<Lane> Derived::lanes() const {
     const Path& step = cache_->state.cursor.step;
     std::vector<Lane> lanes{shapes_lane(drawing(), shape())};
     if (step.empty()) {
-        lanes.insert(lanes.end(), {Lane{Level::stage}, Lane{Level::scanline}, Lane{Level::pixel}, Lane{Level::expression}});
+        lanes.insert(lanes.end(),
+                     {Lane{Level::stage}, Lane{Level::scanline}, Lane{Level::pixel}, Lane{Level::expression}});
         return *(found = lanes);
     }
     const Path unit = step.unit();
     lanes.push_back(stages_lane(steps().at(unit.prefix(1)), step));
-    lanes.push_back(unit.depth() < 2 ? Lane{Level::scanline} : loop_lane(Level::scanline, steps().at(unit.prefix(2)).unit().loop, part_at(step, 2)));
-    lanes.push_back(unit.depth() < 3 ? Lane{Level::pixel} : loop_lane(Level::pixel, steps().at(unit.prefix(3)).unit().loop, part_at(step, 3)));
+    lanes.push_back(unit.depth() < 2
+                        ? Lane{Level::scanline}
+                        : loop_lane(Level::scanline, steps().at(unit.prefix(2)).unit().loop, part_at(step, 2)));
+    lanes.push_back(unit.depth() < 3
+                        ? Lane{Level::pixel}
+                        : loop_lane(Level::pixel, steps().at(unit.prefix(3)).unit().loop, part_at(step, 3)));
     lanes.push_back(expressions_lane(visit(), step));
 
     Lane& rows = lanes[2];
     const Rect frame = scene().framebuffer.rect();
-    if (rows.count > 0 && rows.letter == 'y' && rows.count <= kMaxTicks && rows.count * frame.width() <= kCheapSamples) {
+    if (rows.count > 0 && rows.letter == 'y' && rows.count <= kMaxTicks &&
+        rows.count * frame.width() <= kCheapSamples) {
         auto& kinds = cache_->of_drawing.rows[{shape(), part_at(step, 1).value_or(0)}];
         if (kinds.empty()) {
             kinds.assign(static_cast<std::size_t>(rows.count), TickKind::rejected);
             each_sample(drawing(), shape(), shape() + 1, {frame, 1}, [&](int, const Sample& s) {
                 const Integer at = (s.y - rows.first) * rows.step;
-                if (s.fate == Fate::written && at >= 0 && at < rows.count) kinds[static_cast<std::size_t>(at)] = TickKind::covered;
+                if (s.fate == Fate::written && at >= 0 && at < rows.count)
+                    kinds[static_cast<std::size_t>(at)] = TickKind::covered;
             });
         }
         rows.kinds = kinds;
@@ -93,7 +102,7 @@ std::vector<Lane> Derived::lanes() const {
         for (const Sample& s : row_samples()) {
             const Integer at = (s.x - pixels.first) * pixels.step;
             if (at < 0 || at >= pixels.count) continue;
-            pixels.kinds[static_cast<std::size_t>(at)] = s.note != Note::none          ? TickKind::mark
+            pixels.kinds[static_cast<std::size_t>(at)] = s.note != Note::none      ? TickKind::mark
                                                          : s.fate == Fate::written ? TickKind::covered
                                                                                    : TickKind::rejected;
         }

@@ -8,7 +8,8 @@
 namespace texelscope {
 namespace {
 
-constexpr std::size_t kMostLinked = 20000;  ///< pixels of one selection: more light up nothing that an eye could tell apart
+constexpr std::size_t kMostLinked =
+    20000;  ///< pixels of one selection: more light up nothing that an eye could tell apart
 
 /// The lines that run for samples of each fate, seen at the first sample of that fate.
 [[nodiscard]] std::map<Fate, std::set<int>> lines_by_fate(const Derived& derived, const std::vector<Sample>& samples) {
@@ -19,7 +20,8 @@ constexpr std::size_t kMostLinked = 20000;  ///< pixels of one selection: more l
         const auto path = derived.steps().at_pixel(derived.shape(), s.x, s.y);
         if (!path) continue;
         const Visit& visit = derived.steps().at(*path);
-        for (const std::int32_t n : visit.unit().expressions) own.insert(visit.tape.names[static_cast<std::size_t>(n)].line);
+        for (const std::int32_t n : visit.unit().expressions)
+            own.insert(visit.tape.names[static_cast<std::size_t>(n)].line);
     }
     return lines;
 }
@@ -28,9 +30,10 @@ constexpr std::size_t kMostLinked = 20000;  ///< pixels of one selection: more l
 
 std::vector<std::pair<int, Sample>> Derived::writers(glm::ivec2 pixel) const {
     std::vector<std::pair<int, Sample>> found;
-    each_sample_until(drawing(), cache_->state.cursor.step, {{pixel.x, pixel.y, pixel.x + 1, pixel.y + 1}, 1}, [&](int n, const Sample& s) {
-        if (s.fate == Fate::written) found.emplace_back(n, s);
-    });
+    each_sample_until(drawing(), cache_->state.cursor.step, {{pixel.x, pixel.y, pixel.x + 1, pixel.y + 1}, 1},
+                      [&](int n, const Sample& s) {
+                          if (s.fate == Fate::written) found.emplace_back(n, s);
+                      });
     return found;
 }
 
@@ -38,9 +41,10 @@ std::optional<Path> Derived::last_write(glm::ivec2 pixel) const {
     const auto so_far = writers(pixel);
     if (!so_far.empty()) return steps().at_pixel(so_far.back().first, pixel.x, pixel.y);
     int last = -1;
-    each_sample(drawing(), 0, drawing().shape_count(), {{pixel.x, pixel.y, pixel.x + 1, pixel.y + 1}, 1}, [&](int n, const Sample& s) {
-        if (s.fate == Fate::written) last = n;
-    });
+    each_sample(drawing(), 0, drawing().shape_count(), {{pixel.x, pixel.y, pixel.x + 1, pixel.y + 1}, 1},
+                [&](int n, const Sample& s) {
+                    if (s.fate == Fate::written) last = n;
+                });
     return last < 0 ? std::nullopt : steps().at_pixel(last, pixel.x, pixel.y);
 }
 
@@ -59,15 +63,19 @@ Highlight Derived::highlight(const Selection& selection) const {
             h.pixels.push_back(selection.at);
             std::optional<Sample> top;
             each_sample(drawing(), std::max(0, current), std::max(0, current) + (current >= 0),
-                        {{selection.at.x, selection.at.y, selection.at.x + 1, selection.at.y + 1}, 1}, [&](int, const Sample& s) { top = s; });
+                        {{selection.at.x, selection.at.y, selection.at.x + 1, selection.at.y + 1}, 1},
+                        [&](int, const Sample& s) { top = s; });
             if (top && top->fate == Fate::written) h.texels.emplace_back(top->column, top->row);
-            if (const auto path = current < 0 ? std::nullopt : steps().at_pixel(current, selection.at.x, selection.at.y)) h.ticks.push_back(*path);
+            if (const auto path =
+                    current < 0 ? std::nullopt : steps().at_pixel(current, selection.at.x, selection.at.y))
+                h.ticks.push_back(*path);
             break;
         }
         case Selection::Kind::texel:
             h.texels.push_back(selection.at);
             for (const Sample& s : samples) {
-                if (s.fate == Fate::written && s.column == selection.at.x && s.row == selection.at.y) h.pixels.emplace_back(s.x, s.y);
+                if (s.fate == Fate::written && s.column == selection.at.x && s.row == selection.at.y)
+                    h.pixels.emplace_back(s.x, s.y);
             }
             break;
         case Selection::Kind::name:
@@ -77,7 +85,8 @@ Highlight Derived::highlight(const Selection& selection) const {
             }
             for (std::size_t e = 0; e < visit().unit().expressions.size(); ++e) {
                 const auto n = static_cast<std::size_t>(visit().unit().expressions[e]);
-                if (visit().tape.names[n].name.text() == selection.name) h.ticks.assign(1, visit().path.child('e', static_cast<Integer>(e)));
+                if (visit().tape.names[n].name.text() == selection.name)
+                    h.ticks.assign(1, visit().path.child('e', static_cast<Integer>(e)));
             }
             break;
         case Selection::Kind::line: {
@@ -93,7 +102,8 @@ Highlight Derived::highlight(const Selection& selection) const {
         }
         case Selection::Kind::tick:
             h.ticks.push_back(selection.tick);
-            if (const auto x = selection.tick.index_of('x'), y = selection.tick.index_of('y'); x && y) h.pixels.emplace_back(*x, *y);
+            if (const auto x = selection.tick.index_of('x'), y = selection.tick.index_of('y'); x && y)
+                h.pixels.emplace_back(*x, *y);
             break;
     }
     return h;

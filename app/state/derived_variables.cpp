@@ -10,7 +10,8 @@ namespace texelscope {
 namespace {
 
 /// Marks the names that `operation` was computed from, through operations that have no name of their own.
-void mark_used(const Tape& tape, const std::vector<std::int32_t>& names, std::int32_t operation, bool root, std::set<std::int32_t>& used) {
+void mark_used(const Tape& tape, const std::vector<std::int32_t>& names, std::int32_t operation, bool root,
+               std::set<std::int32_t>& used) {
     if (operation < 0) return;
     const std::int32_t name = names[static_cast<std::size_t>(operation)];
     if (name >= 0 && !root) {
@@ -58,7 +59,8 @@ std::vector<Variable> make_variables(const Visit& visit, const Named* now, const
         variable.changed = changed, variable.own = own.contains(n), variable.named = n;
     };
     const auto is_truth = [&](std::int32_t n) {
-        return std::holds_alternative<bool>(tape.operations[static_cast<std::size_t>(tape.names[static_cast<std::size_t>(n)].operation)].value);
+        return std::holds_alternative<bool>(
+            tape.operations[static_cast<std::size_t>(tape.names[static_cast<std::size_t>(n)].operation)].value);
     };
     // A name that was given twice stands for its last value, so lists run backwards where that matters.
     const auto list_all = [&](const auto& set, bool truths) {

@@ -38,6 +38,7 @@ constexpr std::array kBindings{
     Binding{{Key::s, true}, Command::save}, Binding{{Key::o, true}, Command::open_file},
     Binding{{Key::e, true}, Command::export_picture},
     Binding{{Key::c, true}, Command::copy_link}, Binding{{Key::v, true}, Command::paste},
+    Binding{{Key::q, true}, Command::quit},
     Binding{{Key::f5}, Command::present},
     Binding{{Key::equal, true}, Command::larger_text}, Binding{{Key::equal, true, true}, Command::larger_text},
     Binding{{Key::minus, true}, Command::smaller_text}, Binding{{Key::n0, true}, Command::usual_text},
@@ -69,6 +70,7 @@ constexpr std::array kHelp{
     KeyHelp{"Lessons and files", "L, then 1-9, a-l", "open a lesson"},
     KeyHelp{"Lessons and files", "Ctrl+S O E", "save, open, export the picture"},
     KeyHelp{"Lessons and files", "Ctrl+C V", "copy this state as a line, paste one"},
+    KeyHelp{"Lessons and files", "Ctrl+Q", "quit"},
     KeyHelp{"The screen", "F6", "next panel; with Shift the one before"},
     KeyHelp{"The screen", "Tab", "next control; with Shift the one before"},
     KeyHelp{"The screen", "Esc", "close, let go, back to the canvas"},
@@ -198,6 +200,12 @@ private:
         change(look);
         act(action::SetLook{look});
     }
+    /// Opens the list at the lesson that is open, or closes it.
+    void show_lessons() {
+        if (state_.overlay != Overlay::lessons && state_.document && state_.document->lesson)
+            act(action::ChooseLesson{state_.document->lesson->number - 1});
+        act(action::Show{Overlay::lessons});
+    }
     void next_variant() {
         const auto variants = derived_.method().variants;
         const auto at = std::find_if(variants.begin(), variants.end(),
@@ -254,6 +262,7 @@ private:
             case Command::export_picture: ask(ShellRequest::What::export_picture); return true;
             case Command::copy_link: ask(ShellRequest::What::copy_link); return true;
             case Command::paste: ask(ShellRequest::What::paste); return true;
+            case Command::quit: ask(ShellRequest::What::quit); return true;
             case Command::next_lesson_in_list: move_in_list(1); return true;
             case Command::previous_lesson_in_list: move_in_list(-1); return true;
             case Command::lesson_column_right: move_in_list(kColumn); return true;
@@ -274,7 +283,7 @@ private:
             case Command::usual_text: return set_look([](Look& l) { l.scale = 1; });
             case Command::theme:
                 return set_look([](Look& l) { l.theme = l.theme == Theme::dark ? Theme::light : Theme::dark; });
-            case Command::lessons: return act(action::Show{Overlay::lessons});
+            case Command::lessons: return show_lessons();
             case Command::keys: return act(action::Show{Overlay::keys});
             default: return act(action::Escape{});
         }

@@ -18,13 +18,15 @@ namespace {
     if (kind == "name") pin.kind = Selection::Kind::name, pin.name = what;
     if (kind == "line") {
         pin.kind = Selection::Kind::line;
-        const bool digits = !what.empty() && what.find_first_not_of("0123456789") == std::string::npos && what.size() < 7;
+        const bool digits =
+            !what.empty() && what.find_first_not_of("0123456789") == std::string::npos && what.size() < 7;
         pin.line = digits ? std::stoi(what) : line_with(load_listing(method.listing), what);
     }
     if (kind == "pixel" || kind == "texel") {
         const char* end = what.data() + what.size();
         const auto [after, bad] = std::from_chars(what.data(), end, pin.at.x);
-        if (bad != std::errc() || after == end || std::from_chars(after + 1, end, pin.at.y).ec != std::errc()) return pin;
+        if (bad != std::errc() || after == end || std::from_chars(after + 1, end, pin.at.y).ec != std::errc())
+            return pin;
         pin.kind = kind == "pixel" ? Selection::Kind::pixel : Selection::Kind::texel;
     }
     return pin;
@@ -79,7 +81,8 @@ const Prediction* prediction_of(const State& state) {
 
 Answer& answer_here(State& state) {
     auto& answers = state.work.answers;
-    const auto found = std::find_if(answers.begin(), answers.end(), [&](const Answer& a) { return a.beat == state.cursor.beat; });
+    const auto found =
+        std::find_if(answers.begin(), answers.end(), [&](const Answer& a) { return a.beat == state.cursor.beat; });
     if (found != answers.end()) return *found;
     answers.push_back({.beat = state.cursor.beat});
     return answers.back();
@@ -100,7 +103,8 @@ void go_to_beat(State& state, int beat, Derived& derived) {
     derived.update(state);
     const auto found = derived.steps().nearest(step.value_or(Path{}), state.cursor.level);
     state.cursor.step = found.value_or(Path{});
-    if (state.cursor.beat + 1 == beat_count(state) && std::find(state.done.begin(), state.done.end(), lesson.number) == state.done.end()) {
+    if (state.cursor.beat + 1 == beat_count(state) &&
+        std::find(state.done.begin(), state.done.end(), lesson.number) == state.done.end()) {
         state.done.push_back(lesson.number);
     }
     derived.update(state);

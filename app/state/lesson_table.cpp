@@ -56,7 +56,8 @@ std::vector<LessonEntry> lesson_entries(std::span<const Lesson> lessons) {
     std::vector<LessonEntry> entries;
     for (int n = 0; n < kCurriculum; ++n) {
         const Planned& planned = kPlanned[static_cast<std::size_t>(n)];
-        entries.push_back({n + 1, std::string(planned.title), std::string(planned.group), std::string(planned.summary)});
+        entries.push_back(
+            {n + 1, std::string(planned.title), std::string(planned.group), std::string(planned.summary)});
     }
     for (const Lesson& lesson : lessons) {
         if (lesson.number >= 1 && lesson.number <= kCurriculum) {

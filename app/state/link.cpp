@@ -27,7 +27,8 @@ constexpr std::string_view kVerdicts = "orws";
 [[nodiscard]] std::string escaped(std::string_view text) {
     std::string out;
     for (const char c : text) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.' || c == '/';
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+                           c == '_' || c == '.' || c == '/';
         out += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
     }
     return out;
@@ -41,7 +42,9 @@ constexpr std::string_view kVerdicts = "orws";
             continue;
         }
         unsigned code = 0;
-        if (at + 2 >= text.size() || std::from_chars(&text[at] + 1, &text[at] + 3, code, 16).ptr != &text[at] + 3 || code == 0) return std::nullopt;
+        if (at + 2 >= text.size() || std::from_chars(&text[at] + 1, &text[at] + 3, code, 16).ptr != &text[at] + 3 ||
+            code == 0)
+            return std::nullopt;
         out += static_cast<char>(code);
         at += 2;
     }
@@ -76,7 +79,8 @@ template <class T>
     std::string text = fmt::format("a={}{}:", a.beat, kVerdicts[static_cast<std::size_t>(a.verdict)]);
     for (std::size_t n = 0; n < a.chosen.size(); ++n) text += fmt::format("{}{}", n > 0 ? "." : "", a.chosen[n]);
     text += ":" + escaped(a.typed) + ":";
-    for (std::size_t n = 0; n < a.places.size(); ++n) text += fmt::format("{}{}.{}", n > 0 ? "," : "", a.places[n].x, a.places[n].y);
+    for (std::size_t n = 0; n < a.places.size(); ++n)
+        text += fmt::format("{}{}.{}", n > 0 ? "," : "", a.places[n].x, a.places[n].y);
     return text;
 }
 
@@ -107,8 +111,9 @@ template <class T>
     const auto parts = split(text, ',');
     if (parts.size() != 8) return false;
     Vertex& v = edit.value;
-    return read(parts[0], edit.polygon) && read(parts[1], edit.vertex) && read_float(parts[2], v.x) && read_float(parts[3], v.y) &&
-           read_float(parts[4], v.z) && read_float(parts[5], v.w) && read_float(parts[6], v.u) && read_float(parts[7], v.v);
+    return read(parts[0], edit.polygon) && read(parts[1], edit.vertex) && read_float(parts[2], v.x) &&
+           read_float(parts[3], v.y) && read_float(parts[4], v.z) && read_float(parts[5], v.w) &&
+           read_float(parts[6], v.u) && read_float(parts[7], v.v);
 }
 
 /// One "key=value". Returns false where the value makes no sense.
@@ -158,10 +163,12 @@ bool looks_like_link(std::string_view text) { return text.starts_with("texelscop
 
 std::string print_link(const State& state) {
     const Work& w = state.work;
-    std::string text = fmt::format("{};s={};l={};b={};m={};v={};q={};n={}", escaped(state.document ? state.document->id : ""),
-                                   state.cursor.step.text(), static_cast<int>(state.cursor.level), state.cursor.beat, w.method, w.variant,
-                                   w.quirks, id_of(w.format));
-    if (w.mode != NumberMode{}) text += fmt::format(";o={}{}", static_cast<int>(w.mode.overflow), w.mode.floor_products ? "f" : "");
+    std::string text =
+        fmt::format("{};s={};l={};b={};m={};v={};q={};n={}", escaped(state.document ? state.document->id : ""),
+                    state.cursor.step.text(), static_cast<int>(state.cursor.level), state.cursor.beat, w.method,
+                    w.variant, w.quirks, id_of(w.format));
+    if (w.mode != NumberMode{})
+        text += fmt::format(";o={}{}", static_cast<int>(w.mode.overflow), w.mode.floor_products ? "f" : "");
     for (const VertexEdit& e : w.edits) {
         const Vertex& v = e.value;
         text += fmt::format(";e={},{},{},{},{},{},{},{}", e.polygon, e.vertex, v.x, v.y, v.z, v.w, v.u, v.v);
@@ -192,7 +199,8 @@ Result<Link> parse_link(std::string_view text) {
     link.document = *document;
     for (std::size_t n = 1; n < fields.size(); ++n) {
         const std::size_t equals = fields[n].find('=');
-        if (equals == std::string_view::npos || !read_field(fields[n].substr(0, equals), fields[n].substr(equals + 1), link)) {
+        if (equals == std::string_view::npos ||
+            !read_field(fields[n].substr(0, equals), fields[n].substr(equals + 1), link)) {
             return damaged("'" + std::string(fields[n].substr(0, 40)) + "' makes no sense");
         }
     }

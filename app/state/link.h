@@ -12,7 +12,7 @@ namespace texelscope {
 /// What a line says, before the document it names is opened.
 struct Link {
     std::string document;
-    Work work;        ///< the texture's file, not its texels
+    Work work;  ///< the texture's file, not its texels
     Cursor cursor;
 };
 

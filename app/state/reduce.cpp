@@ -34,7 +34,8 @@ public:
     void operator()(const action::Step& a) {
         Steps& steps = derived_.steps();
         for (int n = 0; n < std::abs(a.count); ++n) {
-            const auto to = a.count > 0 ? steps.next(s_.cursor.step, s_.cursor.level) : steps.previous(s_.cursor.step, s_.cursor.level);
+            const auto to = a.count > 0 ? steps.next(s_.cursor.step, s_.cursor.level)
+                                        : steps.previous(s_.cursor.step, s_.cursor.level);
             if (!to) return end_reached(a.count > 0);
             s_.cursor.step = *to;
         }
@@ -70,14 +71,17 @@ public:
     void operator()(const action::Speed& a) { s_.look.speed = std::clamp(s_.look.speed * a.factor, 0.5F, 240.0F); }
     void operator()(const action::ToggleBookmark&) {
         const auto found = std::find(s_.bookmarks.begin(), s_.bookmarks.end(), s_.cursor.step);
-        if (found != s_.bookmarks.end()) s_.bookmarks.erase(found);
-        else if (!s_.cursor.step.empty()) s_.bookmarks.push_back(s_.cursor.step);
+        if (found != s_.bookmarks.end())
+            s_.bookmarks.erase(found);
+        else if (!s_.cursor.step.empty())
+            s_.bookmarks.push_back(s_.cursor.step);
     }
     void operator()(const action::GoToBookmark& a) {
         if (s_.bookmarks.empty()) return;
         const auto here = std::find(s_.bookmarks.begin(), s_.bookmarks.end(), s_.cursor.step);
         const auto count = static_cast<int>(s_.bookmarks.size());
-        const int at = here == s_.bookmarks.end() ? (a.direction > 0 ? -1 : 0) : static_cast<int>(here - s_.bookmarks.begin());
+        const int at =
+            here == s_.bookmarks.end() ? (a.direction > 0 ? -1 : 0) : static_cast<int>(here - s_.bookmarks.begin());
         (*this)(action::StepTo{s_.bookmarks[static_cast<std::size_t>((at + a.direction + count) % count)]});
     }
 
@@ -90,14 +94,18 @@ public:
         if (!std::isfinite(a.to.x) || !std::isfinite(a.to.y)) return;
         Vertex value = vertices[static_cast<std::size_t>(vertex)];
         const float x = std::clamp(a.to.x, -kFarthest, kFarthest), y = std::clamp(a.to.y, -kFarthest, kFarthest);
-        if (texture) value.u = x, value.v = y;
-        else value.x = x, value.y = y;
+        if (texture)
+            value.u = x, value.v = y;
+        else
+            value.x = x, value.y = y;
         auto& edits = s_.work.edits;
-        const auto place = std::lower_bound(edits.begin(), edits.end(), std::pair(polygon, vertex), [](const VertexEdit& e, const auto& key) {
-            return std::pair(e.polygon, e.vertex) < key;
-        });
-        if (place != edits.end() && place->polygon == polygon && place->vertex == vertex) place->value = value;
-        else edits.insert(place, {polygon, vertex, value});
+        const auto place =
+            std::lower_bound(edits.begin(), edits.end(), std::pair(polygon, vertex),
+                             [](const VertexEdit& e, const auto& key) { return std::pair(e.polygon, e.vertex) < key; });
+        if (place != edits.end() && place->polygon == polygon && place->vertex == vertex)
+            place->value = value;
+        else
+            edits.insert(place, {polygon, vertex, value});
         s_.handle = a.handle;
         settle();
     }
@@ -128,16 +136,21 @@ public:
         s_.cursor.step = {};
         settle(false);
     }
-    void operator()(const action::SetTexture& a) { s_.work.texture_file = a.file, s_.work.texture = a.texture, settle(); }
+    void operator()(const action::SetTexture& a) {
+        s_.work.texture_file = a.file, s_.work.texture = a.texture, settle();
+    }
 
     void operator()(const action::Choose& a) {
         const Prediction* asked = prediction_of(s_);
         if (asked == nullptr || a.option < 0 || a.option >= static_cast<int>(asked->options.size())) return;
         Answer& answer = reopened();
         const auto found = std::find(answer.chosen.begin(), answer.chosen.end(), a.option);
-        if (asked->kind != Prediction::Kind::many) answer.chosen = {a.option};
-        else if (found != answer.chosen.end()) answer.chosen.erase(found);
-        else answer.chosen.insert(std::upper_bound(answer.chosen.begin(), answer.chosen.end(), a.option), a.option);
+        if (asked->kind != Prediction::Kind::many)
+            answer.chosen = {a.option};
+        else if (found != answer.chosen.end())
+            answer.chosen.erase(found);
+        else
+            answer.chosen.insert(std::upper_bound(answer.chosen.begin(), answer.chosen.end(), a.option), a.option);
     }
     void operator()(const action::Type& a) {
         if (prediction_of(s_) != nullptr) reopened().typed = a.text.substr(0, 32);
@@ -146,8 +159,10 @@ public:
         if (prediction_of(s_) == nullptr) return;
         Answer& answer = reopened();
         const auto found = std::find(answer.places.begin(), answer.places.end(), a.place);
-        if (found != answer.places.end()) answer.places.erase(found);
-        else answer.places.push_back(a.place);
+        if (found != answer.places.end())
+            answer.places.erase(found);
+        else
+            answer.places.push_back(a.place);
         constexpr std::size_t kMostPlaces = 64;
         if (answer.places.size() > kMostPlaces) answer.places.erase(answer.places.begin());
     }
@@ -171,10 +186,14 @@ public:
     void operator()(const action::Show& a) { s_.overlay = s_.overlay == a.overlay ? Overlay::none : a.overlay; }
     void operator()(const action::ChooseLesson& a) { s_.chosen_lesson = std::max(0, a.index); }
     void operator()(const action::Escape&) {
-        if (s_.look.blank) s_.look.blank = false;
-        else if (s_.overlay != Overlay::none) s_.overlay = Overlay::none;
-        else if (s_.playing) s_.playing = false;
-        else s_.pinned = {}, s_.handle = {};
+        if (s_.look.blank)
+            s_.look.blank = false;
+        else if (s_.overlay != Overlay::none)
+            s_.overlay = Overlay::none;
+        else if (s_.playing)
+            s_.playing = false;
+        else
+            s_.pinned = {}, s_.handle = {};
     }
 
     void operator()(const action::Undo&) {}

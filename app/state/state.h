@@ -17,7 +17,7 @@ namespace texelscope {
 
 /// What is open: a lesson with its scene, or a scene alone. Never changes once made; a reload makes another.
 struct Document {
-    std::string id;                       ///< the lesson's id, or the scene's path
+    std::string id;  ///< the lesson's id, or the scene's path
     std::optional<Lesson> lesson;
     Scene scene;
     std::vector<std::string> warnings;
@@ -38,19 +38,19 @@ struct Answer {
     std::string typed;               ///< a number
     std::vector<glm::ivec2> places;  ///< pixels or texels; a line is {line, 0}
     enum class Verdict : std::uint8_t { open, right, wrong, skipped } verdict = Verdict::open;
-    std::string sentence;            ///< what the engine says of it, once checked
-    Path explain;                    ///< the step that explains a wrong answer; empty for none
+    std::string sentence;  ///< what the engine says of it, once checked
+    Path explain;          ///< the step that explains a wrong answer; empty for none
     friend bool operator==(const Answer&, const Answer&) = default;
 };
 
 /// What undo brings back: everything that changes what is computed.
 struct Work {
-    std::string method, variant;     ///< ids
+    std::string method, variant;  ///< ids
     NumberFormat format = NumberFormat::f64;
     NumberMode mode;
-    QuirkSet quirks = 0;             ///< as they stand, the variant's with the switches applied
-    std::vector<VertexEdit> edits;   ///< sorted by polygon, then vertex
-    std::string texture_file;        ///< a person's own image in place of the scene's first texture; empty for none
+    QuirkSet quirks = 0;            ///< as they stand, the variant's with the switches applied
+    std::vector<VertexEdit> edits;  ///< sorted by polygon, then vertex
+    std::string texture_file;       ///< a person's own image in place of the scene's first texture; empty for none
     std::shared_ptr<const Texture> texture;  ///< its texels
     std::vector<Answer> answers;
     friend bool operator==(const Work&, const Work&) = default;
@@ -59,7 +59,7 @@ struct Work {
 /// Where the cursor stands.
 struct Cursor {
     Level level = Level::pixel;
-    Path step;                       ///< empty only where the scene has no shape
+    Path step;  ///< empty only where the scene has no shape
     int beat = 0;
     friend bool operator==(const Cursor&, const Cursor&) = default;
 };
@@ -68,8 +68,8 @@ struct Cursor {
 struct Selection {
     enum class Kind : std::uint8_t { none, pixel, texel, name, line, tick };
     Kind kind = Kind::none;
-    glm::ivec2 at{0};     ///< pixel (absolute) or texel
-    std::string name;     ///< of a variable
+    glm::ivec2 at{0};  ///< pixel (absolute) or texel
+    std::string name;  ///< of a variable
     int line = 0;
     Path tick;
     friend bool operator==(const Selection&, const Selection&) = default;
@@ -80,16 +80,16 @@ enum class Theme : std::uint8_t { dark, light };
 /// How it is shown; stays when lessons change.
 struct Look {
     Theme theme = Theme::dark;
-    float scale = 1;                 ///< of text [1, 2.5]
+    float scale = 1;  ///< of text [1, 2.5]
     bool presenting = false, blank = false;
-    bool hits = false;               ///< the hit map: how often each pixel was written
-    bool plain_code = true;          ///< trace(…) folded away in the listing
-    std::vector<int> unfolded;       ///< folds of the listing that were opened, by their first lines
+    bool hits = false;          ///< the hit map: how often each pixel was written
+    bool plain_code = true;     ///< trace(…) folded away in the listing
+    std::vector<int> unfolded;  ///< folds of the listing that were opened, by their first lines
     bool reduced_motion = false, letter_keys = true;
-    int tab = 0;                     ///< of the presenter's panel, or of the column above 150 %
-    float zoom = 0;                  ///< canvas pixels per scene pixel; 0: fit
-    glm::vec2 centre{0};             ///< scene point at the canvas' centre, where zoom is not 0
-    float speed = 8;                 ///< steps a second while playing
+    int tab = 0;          ///< of the presenter's panel, or of the column above 150 %
+    float zoom = 0;       ///< canvas pixels per scene pixel; 0: fit
+    glm::vec2 centre{0};  ///< scene point at the canvas' centre, where zoom is not 0
+    float speed = 8;      ///< steps a second while playing
     friend bool operator==(const Look&, const Look&) = default;
 };
 
@@ -99,7 +99,7 @@ enum class Overlay : std::uint8_t { none, lessons, keys, formats, quirks, go_to 
 /// The corner that keys move.
 struct Handle {
     int polygon = -1, vertex = -1;
-    bool texture = false;            ///< its (u, v), else its (x, y)
+    bool texture = false;  ///< its (u, v), else its (x, y)
     friend bool operator==(const Handle&, const Handle&) = default;
 };
 
@@ -117,11 +117,11 @@ struct State {
     Selection hover, pinned;
     Handle handle;
     Overlay overlay = Overlay::none;
-    int chosen_lesson = 0;           ///< in the list, index
-    std::vector<int> done;           ///< numbers of lessons that were gone through
+    int chosen_lesson = 0;  ///< in the list, index
+    std::vector<int> done;  ///< numbers of lessons that were gone through
     bool playing = false;
     std::vector<Path> bookmarks;
-    Message message;                 ///< one line, until the next action
+    Message message;  ///< one line, until the next action
 };
 
 }  // namespace texelscope

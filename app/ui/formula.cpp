@@ -213,6 +213,20 @@ MathBox set_math_to_fit(const Expr& e, MathSetting setting, float width, std::sp
     return box;
 }
 
+namespace {
+
+/// A side of a relation that no line break can help: in the largest size up to the setting's that fits.
+[[nodiscard]] MathBox set_smaller_to_fit(const Expr& e, MathSetting setting, float width) {
+    MathBox box = set_math(e, setting);
+    while (box.width > width && setting.size != MathSize::note) {
+        setting.size = static_cast<MathSize>(static_cast<int>(setting.size) - 1);
+        box = set_math(e, setting);
+    }
+    return box;
+}
+
+}  // namespace
+
 MathBox set_math_broken(const Expr& e, const MathSetting& setting, float width) {
     if (e.op != Op::relation || e.parts.size() < 2) return set_math(e, setting);
     Setter setter(setting);
@@ -221,7 +235,7 @@ MathBox set_math_broken(const Expr& e, const MathSetting& setting, float width) 
     std::vector<MathBox> parts;
     for (std::size_t i = 1; i < e.parts.size(); ++i) {
         parts.push_back(kit.with_sign({}, e.signs[i - 1], kRelationGap * kit.em(), Role::text));
-        append(parts.back(), setter.set(e.parts[i]));
+        append(parts.back(), set_smaller_to_fit(e.parts[i], setting, width - left.width - parts.back().width));
     }
     // Lines fill from the last one: a result stays beside what it came from.
     std::vector<std::size_t> starts;

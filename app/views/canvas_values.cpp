@@ -1,0 +1,135 @@
+#include "app/views/canvas_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "app/state/lesson_cursor.h"
+#include "core/geometry/polygon.h"
+
+namespace texelscope::canvas {
+
+const Variable* find_variable(const Derived& derived, std::string_view name) {
+    const std::vector<Variable>& all = derived.variables();
+    const auto at = std::find_if(all.begin(), all.end(), [name](const Variable& v) { return v.name == name; });
+    return at == all.end() ? nullptr : &*at;
+}
+
+std::optional<double> number_of(const Derived& derived, std::string_view name) {
+    const Variable* found = find_variable(derived, name);
+    if (found == nullptr || undefined(found->value)) return std::nullopt;
+    const double value = approximate(found->value);
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::optional<bool> truth_of(const Derived& derived, std::string_view name) {
+    const Variable* found = find_variable(derived, name);
+    const bool* truth = found != nullptr ? std::get_if<bool>(&found->value) : nullptr;
+    return truth != nullptr ? std::optional(*truth) : std::nullopt;
+}
+
+bool shows(const State& state, std::string_view view) {
+    if (!state.document || !state.document->lesson) return false;
+    const Lesson& lesson = *state.document->lesson;
+    const std::vector<std::string>* views = &lesson.views;
+    for (int n = 0; n <= state.cursor.beat && n < static_cast<int>(lesson.beats.size()); ++n) {
+        const auto& set = lesson.beats[static_cast<std::size_t>(n)].set.views;
+        if (!set.empty()) views = &set;
+    }
+    return std::find(views->begin(), views->end(), view) != views->end();
+}
+
+Pointing pointing(const State& state, Prediction::Kind kind) {
+    Pointing found;
+    const Prediction* asked = prediction_of(state);
+    if (asked == nullptr || asked->kind != kind) return found;
+    found.asked = true;
+    for (const Answer& answer : state.work.answers) {
+        if (answer.beat == state.cursor.beat) found.places = answer.places, found.verdict = answer.verdict;
+    }
+    found.asked = found.verdict == Answer::Verdict::open || found.verdict == Answer::Verdict::wrong;
+    return found;
+}
+
+bool may_drag(const State& state, bool texture) {
+    if (!state.document || !state.document->lesson) return true;
+    const std::string& drag = state.document->lesson->drag;
+    return drag.empty() || drag == "vertices" || drag == (texture ? "texture" : "screen");
+}
+
+bool is_triangle(const Derived& derived) {
+    const int shape = derived.shape();
+    return shape >= 0 && derived.method().triangles && derived.drawing().corners(shape).size() == 3;
+}
+
+std::string_view stage_name(const Derived& derived) {
+    if (derived.shape() < 0) return {};
+    const Visit& visit = derived.visit();
+    if (visit.path.parts.size() < 2 || visit.path.parts[1].letter != 's') return {};
+    const auto index = static_cast<std::size_t>(visit.path.parts[1].index);
+    return index < visit.stages.size() ? std::string_view(visit.stages[index].name) : std::string_view{};
+}
+
+int gesture_of(ui::Ui& ui) {
+    // The place and the time of the press are the same for the whole drag, and differ from the drag before.
+    const ui::UiMemory& memory = ui.memory();
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &memory.hot_since, sizeof bits);
+    bits ^= memory.active + static_cast<std::uint64_t>(std::lround(memory.press.x)) * 0x9E3779B97F4A7C15ULL;
+    bits ^= static_cast<std::uint64_t>(std::lround(memory.press.y)) * 0xC2B2AE3D27D4EB4FULL;
+    bits ^= bits >> 32U;
+    return static_cast<int>(bits & 0x3FFFFFFFU) + 1;
+}
+
+void move_corner(const ViewContext& ctx, const Handle& handle, glm::vec2 to, int gesture) {
+    if (to == position_of(ctx.derived.scene(), handle)) return;
+    const auto& polygons = ctx.derived.scene().polygons;
+    if (!handle.texture && !ctx.derived.method().triangles) {
+        std::vector<Vertex> corners = polygons[static_cast<std::size_t>(handle.polygon)].vertices;
+        const bool was_convex = std::all_of(corners.begin(), corners.end(), is_finite) && is_convex(corners);
+        corners[static_cast<std::size_t>(handle.vertex)].x = to.x;
+        corners[static_cast<std::size_t>(handle.vertex)].y = to.y;
+        if (was_convex && !is_convex(corners)) return;
+    }
+    ctx.act(action::MoveVertex{handle, to, gesture});
+}
+
+void move_by_keys(const ViewContext& ctx, ui::Id control, const Handle& handle) {
+    struct Arrow {
+        ui::Key key;
+        glm::vec2 way;
+    };
+    static constexpr Arrow kArrows[] = {
+        {ui::Key::left, {-1, 0}}, {ui::Key::right, {1, 0}}, {ui::Key::up, {0, -1}}, {ui::Key::down, {0, 1}}};
+    // With the mouse's focus the arrows go on stepping.
+    if (!ctx.ui.memory().ring) return;
+    glm::vec2 to = position_of(ctx.derived.scene(), handle);
+    ui::KeyPress press;
+    for (const Arrow& arrow : kArrows) {
+        while (ctx.ui.take_key(control, arrow.key, &press))
+            to += arrow.way * (press.ctrl ? 8.0F : press.shift ? 1.0F / 16 : 1.0F);
+    }
+    move_corner(ctx, handle, to, 0);
+}
+
+void tell_hover(const ViewContext& ctx, const ui::Area& area, bool hovered, const Selection& what) {
+    if (hovered) {
+        if (ctx.state.hover != what) ctx.act(action::Hover{what});
+        return;
+    }
+    // Views drawn earlier in this frame may have said where the mouse is now; leaving comes before.
+    const bool left = area.contains(ctx.ui.memory().mouse) && ctx.state.hover.kind == what.kind;
+    if (left && what.kind != Selection::Kind::none) ctx.actions.insert(ctx.actions.begin(), action::Hover{});
+}
+
+std::uint64_t version_of(const Grid<Rgba>& pixels) {
+    std::uint64_t hash = 0xCBF29CE484222325ULL ^ static_cast<std::uint64_t>(pixels.width());
+    for (std::size_t n = 0; n < pixels.size(); ++n) {
+        std::uint32_t word = 0;
+        std::memcpy(&word, pixels.data() + n, sizeof word);
+        hash = (hash ^ word) * 0x100000001B3ULL;
+    }
+    return hash | 1U;
+}
+
+}  // namespace texelscope::canvas

@@ -1,0 +1,47 @@
+// What the canvas and its companions ask of a state: traced values by name, the views in use, what may be dragged.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "app/views/view.h"
+
+namespace texelscope::canvas {
+
+/// A traced value as the cursor's step knows it; nothing where it has none yet, or is not a number.
+[[nodiscard]] std::optional<double> number_of(const Derived& derived, std::string_view name);
+[[nodiscard]] std::optional<bool> truth_of(const Derived& derived, std::string_view name);
+/// The row of the variables' table; null where there is none of that name.
+[[nodiscard]] const Variable* find_variable(const Derived& derived, std::string_view name);
+
+/// Whether the views of the lesson, as its beats left them, name `view`.
+[[nodiscard]] bool shows(const State& state, std::string_view view);
+/// The answer so far to the current beat's prediction, where it is of that kind; `asked` says whether there is one.
+struct Pointing {
+    bool asked = false;  ///< a click answers
+    std::vector<glm::ivec2> places;
+    Answer::Verdict verdict = Answer::Verdict::open;
+};
+[[nodiscard]] Pointing pointing(const State& state, Prediction::Kind kind);
+
+/// Whether the lesson lets corners be moved on the screen, or on the texture. Without a lesson both may.
+[[nodiscard]] bool may_drag(const State& state, bool texture);
+/// The cursor's shape is a triangle with sides A, B and C.
+[[nodiscard]] bool is_triangle(const Derived& derived);
+/// The name of the cursor's stage; empty where it has none.
+[[nodiscard]] std::string_view stage_name(const Derived& derived);
+
+/// One number for the moves of one drag, so that they are one entry to undo.
+[[nodiscard]] int gesture_of(ui::Ui& ui);
+/// Moves a corner; one that would bend a polygon inwards stays, where the method takes polygons.
+void move_corner(const ViewContext& ctx, const Handle& handle, glm::vec2 to, int gesture);
+/// Arrow keys while a corner has the focus: 1, with Shift 1/16, with Ctrl 8.
+void move_by_keys(const ViewContext& ctx, ui::Id control, const Handle& handle);
+
+/// Says that the mouse is over `what`, or has left the view whose hovering was shown. Only where it is news.
+void tell_hover(const ViewContext& ctx, const ui::Area& area, bool hovered, const Selection& what);
+
+/// Another number for another picture: what a TextureStore wants as the version.
+[[nodiscard]] std::uint64_t version_of(const Grid<Rgba>& pixels);
+
+}  // namespace texelscope::canvas
