@@ -32,7 +32,9 @@ public:
 
 private:
     [[nodiscard]] const Lesson& lesson() const { return *document_->lesson; }
-    void fault(int line, std::string what) { check_.faults.push_back({fmt::format("{}:{}", file_.string(), line), std::move(what)}); }
+    void fault(int line, std::string what) {
+        check_.faults.push_back({fmt::format("{}:{}", file_.string(), line), std::move(what)});
+    }
 
     void check_beats() {
         Store store(opened(document_, State{}));
@@ -40,8 +42,10 @@ private:
             const Beat& beat = lesson().beats[static_cast<std::size_t>(n)];
             if (n > 0) store.dispatch(action::Advance{});
             const State& state = store.state();
-            if (beat.set.step && state.cursor.step != store.derived().steps().at_level(*beat.set.step, state.cursor.level)) {
-                fault(beat.line, fmt::format("there is no step {}, expected one of this scene and variant", beat.set.step->text()));
+            if (beat.set.step &&
+                state.cursor.step != store.derived().steps().at_level(*beat.set.step, state.cursor.level)) {
+                fault(beat.line, fmt::format("there is no step {}, expected one of this scene and variant",
+                                             beat.set.step->text()));
             }
             if (beat.set.pin) check_pin(beat, store);
             check_.predictions += beat.prediction.has_value();
@@ -52,9 +56,11 @@ private:
         const Selection& pin = store.state().pinned;
         const Highlight light = store.derived().highlight(pin);
         const auto& names = store.derived().visit().tape.names;
-        const bool named = pin.kind != Selection::Kind::name ||
-                           std::any_of(names.begin(), names.end(), [&](const Named& n) { return n.name.text() == pin.name; });
-        const bool found = pin.kind != Selection::Kind::none && named && (pin.kind != Selection::Kind::line || pin.line > 0);
+        const bool named =
+            pin.kind != Selection::Kind::name ||
+            std::any_of(names.begin(), names.end(), [&](const Named& n) { return n.name.text() == pin.name; });
+        const bool found =
+            pin.kind != Selection::Kind::none && named && (pin.kind != Selection::Kind::line || pin.line > 0);
         if (!found) fault(beat.line, fmt::format("pin '{}' points at nothing here", *beat.set.pin));
     }
 
@@ -67,7 +73,8 @@ private:
         }
         for (int n = check_.beats - 1; n >= 0; --n) {
             if (std::pair(store.state().work, store.state().cursor) != seen[static_cast<std::size_t>(n)]) {
-                fault(lesson().beats[static_cast<std::size_t>(n)].line, "this beat looks different when it is reached backward");
+                fault(lesson().beats[static_cast<std::size_t>(n)].line,
+                      "this beat looks different when it is reached backward");
             }
             store.dispatch(action::Advance{-1});
         }
@@ -79,9 +86,11 @@ private:
         const Method* method = find_method(lesson().method);
         const NumberFormat format = number_format(lesson().format).value_or(NumberFormat::f64);
         const Drawing drawing(document_->scene, {method, format, quirks, {}});
-        each_sample(drawing, 0, drawing.shape_count(), {document_->scene.framebuffer.rect(), 1}, [&](int, const Sample& s) {
-            if (s.fate == Fate::written) all += fmt::format("{} {} {} {} {}\n", s.x, s.y, s.colour.r, s.colour.g, s.colour.b);
-        });
+        each_sample(drawing, 0, drawing.shape_count(), {document_->scene.framebuffer.rect(), 1},
+                    [&](int, const Sample& s) {
+                        if (s.fate == Fate::written)
+                            all += fmt::format("{} {} {} {} {}\n", s.x, s.y, s.colour.r, s.colour.g, s.colour.b);
+                    });
         return all;
     }
 
@@ -91,18 +100,22 @@ private:
             const int n = quirk_index(*method, id);
             const QuirkSet bit = QuirkSet{1} << n;
             bool changes = method->quirks[static_cast<std::size_t>(n)].form;
-            for (const VariantInfo& variant : method->variants) changes = changes || samples_with(variant.quirks | bit) != samples_with(variant.quirks & ~bit);
+            for (const VariantInfo& variant : method->variants)
+                changes = changes || samples_with(variant.quirks | bit) != samples_with(variant.quirks & ~bit);
             if (!changes) fault(1, fmt::format("the quirk '{}' changes no pixel of this scene", id));
             const std::string pin = fmt::format("line quirk.{}", method->quirks[static_cast<std::size_t>(n)].field);
-            const bool named = std::any_of(lesson().beats.begin(), lesson().beats.end(), [&](const Beat& b) { return b.set.pin == pin; });
-            if (!named && !method->quirks[static_cast<std::size_t>(n)].form) fault(1, fmt::format("no beat pins the guilty line of '{}' (pin = \"{}\")", id, pin));
+            const bool named = std::any_of(lesson().beats.begin(), lesson().beats.end(),
+                                           [&](const Beat& b) { return b.set.pin == pin; });
+            if (!named && !method->quirks[static_cast<std::size_t>(n)].form)
+                fault(1, fmt::format("no beat pins the guilty line of '{}' (pin = \"{}\")", id, pin));
         }
     }
 
     void check_screens() {
         for (const glm::vec2 size : kSizes) {
             for (const Theme theme : {Theme::dark, Theme::light}) {
-                for (const float scale : kScales) check_screen({.theme = theme, .scale = scale, .reduced_motion = true}, size);
+                for (const float scale : kScales)
+                    check_screen({.theme = theme, .scale = scale, .reduced_motion = true}, size);
             }
             check_screen({.presenting = true, .reduced_motion = true}, size);
         }
@@ -118,10 +131,16 @@ private:
             (*app)->frame();
             (*app)->frame();
             ++check_.screens;
-            const auto where = fmt::format("{}x{}, text {} %, {}", size.x, size.y, look.scale * 100, look.presenting ? "presenting" : look.theme == Theme::dark ? "dark" : "light");
+            const auto where = fmt::format("{}x{}, text {} %, {}", size.x, size.y, look.scale * 100,
+                                           look.presenting             ? "presenting"
+                                           : look.theme == Theme::dark ? "dark"
+                                                                       : "light");
             const int line = lesson().beats[static_cast<std::size_t>(n)].line;
-            for (const ui::TextRecord& text : ui::texts_cut((*app)->shell().report())) fault(line, fmt::format("'{}' does not fit its place ({})", text.text, where));
-            for (const ui::ControlRecord& control : ui::small_targets((*app)->shell().report())) fault(line, fmt::format("the target '{}' is too small ({})", control.name, where));
+            for (const ui::TextRecord& text : ui::texts_cut((*app)->shell().report()))
+                fault(line, fmt::format("'{}' does not fit its place at {:.0f}, {:.0f} ({})", text.text, text.area.x,
+                                        text.area.y, where));
+            for (const ui::ControlRecord& control : ui::small_targets((*app)->shell().report()))
+                fault(line, fmt::format("the target '{}' is too small ({})", control.name, where));
         }
     }
 

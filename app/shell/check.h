@@ -10,7 +10,7 @@
 namespace texelscope {
 
 struct LessonCheck {
-    std::vector<Error> faults;  ///< each with FILE:LINE
+    std::vector<Error> faults;                    ///< each with FILE:LINE
     int beats = 0, predictions = 0, screens = 0;  ///< how much was looked at
 };
 

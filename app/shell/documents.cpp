@@ -26,7 +26,8 @@ namespace fs = std::filesystem;
     if (is_there(path / "lesson.md")) return path / "lesson.md";
     const fs::path lessons = data_folder() / "lessons";
     const bool number = !word.empty() && word.size() <= 2 && word.find_first_not_of("0123456789") == std::string::npos;
-    if (!number && path.filename() == path && is_there(lessons / path / "lesson.md")) return lessons / path / "lesson.md";
+    if (!number && path.filename() == path && is_there(lessons / path / "lesson.md"))
+        return lessons / path / "lesson.md";
     if (!number) return {};
     const std::string prefix = (word.size() == 1 ? "0" + word : word) + "-";
     std::error_code bad;
@@ -55,7 +56,8 @@ Result<std::shared_ptr<const Document>> open_lesson(const fs::path& file) {
 Result<std::shared_ptr<const Texture>> texture_of_link(const std::string& file, const State& before) {
     if (before.work.texture && before.work.texture_file == file) return before.work.texture;
     std::error_code bad;
-    const fs::path assets = fs::weakly_canonical(assets_folder(), bad), wanted = fs::weakly_canonical(assets / file, bad);
+    const fs::path assets = fs::weakly_canonical(assets_folder(), bad),
+                   wanted = fs::weakly_canonical(assets / file, bad);
     const auto [end, ignored] = std::mismatch(assets.begin(), assets.end(), wanted.begin(), wanted.end());
     if (!bad && end == assets.end()) return open_texture(wanted);
     return Error{"state", "it uses the image " + file + ": drop that on the window first, then paste again"};
@@ -73,11 +75,14 @@ fs::path data_folder() {
 
 fs::path assets_folder() { return data_folder() / "assets"; }
 
-std::vector<Lesson> built_in_lessons(std::vector<Error>& errors) { return load_lessons(data_folder() / "lessons", errors); }
+std::vector<Lesson> built_in_lessons(std::vector<Error>& errors) {
+    return load_lessons(data_folder() / "lessons", errors);
+}
 
 Result<std::shared_ptr<const Document>> open_document(const std::string& target) {
     if (const fs::path file = lesson_file(target); !file.empty()) return open_lesson(file);
-    if (!is_there(target)) return Error{target, "there is no such lesson or file; 'texelscope list lessons' names the lessons"};
+    if (!is_there(target))
+        return Error{target, "there is no such lesson or file; 'texelscope list lessons' names the lessons"};
     auto scene = load_scene(target, assets_folder());
     if (!scene) return scene.error();
     auto document = std::make_shared<Document>();
@@ -106,7 +111,8 @@ Result<State> open_state(const std::string& target, const State& before) {
     }
     auto link = parse_link(target);
     if (!link) return link.error();
-    auto document = before.document && before.document->id == link->document ? Result(before.document) : open_document(link->document);
+    auto document = before.document && before.document->id == link->document ? Result(before.document)
+                                                                             : open_document(link->document);
     if (!document) return document.error();
     if (!link->work.texture_file.empty()) {
         auto texture = texture_of_link(link->work.texture_file, before);

@@ -35,7 +35,8 @@ constexpr std::string_view kNotHere = "This lesson is not in this version.";
 Shell::Shell(Host& host, State state, std::vector<Lesson> lessons, ShellOptions options)
     : host_(host), store_(std::move(state)), lessons_(std::move(lessons)), options_(std::move(options)) {}
 
-Result<std::unique_ptr<Shell>> Shell::start(Host& host, State state, std::vector<Lesson> lessons, ShellOptions options) {
+Result<std::unique_ptr<Shell>> Shell::start(Host& host, State state, std::vector<Lesson> lessons,
+                                            ShellOptions options) {
     std::unique_ptr<Shell> shell(new Shell(host, std::move(state), std::move(lessons), std::move(options)));
     if (!shell->bake_fonts()) return Error{"", shell->font_error_};
     shell->remember_times();
@@ -64,9 +65,17 @@ void Shell::frame(const ui::Input& input) {
     std::vector<Action> actions;
     std::vector<ShellRequest> requests;
     Derived& derived = store_.derived();
-    ViewContext context{.ui = ui, .state = state(), .derived = derived, .textures = host_.textures(), .lessons = lessons_, .actions = actions,
-                        .can_undo = store_.can_undo(), .can_redo = store_.can_redo(), .hover = derived.highlight(state().hover),
-                        .pinned = derived.highlight(state().pinned), .requests = &requests};
+    ViewContext context{.ui = ui,
+                        .state = state(),
+                        .derived = derived,
+                        .textures = host_.textures(),
+                        .lessons = lessons_,
+                        .actions = actions,
+                        .can_undo = store_.can_undo(),
+                        .can_redo = store_.can_redo(),
+                        .hover = derived.highlight(state().hover),
+                        .pinned = derived.highlight(state().pinned),
+                        .requests = &requests};
     draw_screen(context);
     ui.end();
     KeyOutcome keys = actions_for(input, ui.unused_keys(), ui.typing(), state(), derived, lessons_);
@@ -80,7 +89,8 @@ void Shell::frame(const ui::Input& input) {
 
 void Shell::act(const ui::Input& input, const std::vector<Action>& actions, const std::vector<ShellRequest>& requests) {
     const auto hovers = [](const Action& a) { return std::holds_alternative<action::Hover>(a); };
-    if (std::none_of(actions.begin(), actions.end(), hovers) && state().hover != Selection{}) store_.dispatch(action::Hover{});
+    if (std::none_of(actions.begin(), actions.end(), hovers) && state().hover != Selection{})
+        store_.dispatch(action::Hover{});
     for (const Action& action : actions) store_.dispatch(action);
     for (const ShellRequest& request : requests) fulfil(request, input);
     for (const std::string& file : input.dropped) drop(file);
@@ -91,7 +101,8 @@ void Shell::fulfil(const ShellRequest& request, const ui::Input& input) {
     using What = ShellRequest::What;
     switch (request.what) {
         case What::open_lesson: {
-            const auto found = std::find_if(lessons_.begin(), lessons_.end(), [&](const Lesson& l) { return l.number == request.lesson; });
+            const auto found = std::find_if(lessons_.begin(), lessons_.end(),
+                                            [&](const Lesson& l) { return l.number == request.lesson; });
             if (found == lessons_.end()) return say(std::string(kNotHere), false);
             auto document = open_document(found->file.string());
             if (!document) return say(document.error().text(), true);
@@ -105,6 +116,7 @@ void Shell::fulfil(const ShellRequest& request, const ui::Input& input) {
             return png ? save(".png", std::string(png->begin(), png->end())) : say(png.error().text(), true);
         }
         case What::copy_link: host_.set_clipboard(print_link(state())); return say(std::string(kCopied), false);
+        case What::quit: return host_.close(0);
         case What::paste: return paste(input.pasted.empty() ? host_.clipboard() : input.pasted);
     }
 }
@@ -172,7 +184,8 @@ bool Shell::poll() {
 void Shell::keep_time(const ui::Input& input, bool animated) {
     if (animated) host_.wants_frames_until(input.time + 0.15);
     if (state().playing) {
-        if (next_step_ <= 0 || next_step_ > input.time + 2) next_step_ = input.time + 1 / static_cast<double>(state().look.speed);
+        if (next_step_ <= 0 || next_step_ > input.time + 2)
+            next_step_ = input.time + 1 / static_cast<double>(state().look.speed);
         if (input.time >= next_step_) {
             store_.dispatch(action::Step{1});
             next_step_ += 1 / static_cast<double>(state().look.speed);
@@ -183,7 +196,9 @@ void Shell::keep_time(const ui::Input& input, bool animated) {
         next_step_ = 0;
     }
     host_.poll_every(state().document && !state().document->files.empty() ? kPollEvery : 0);
-    const std::string title = (state().document && state().document->lesson ? state().document->lesson->title : short_name(state())) + " — Texelscope";
+    const std::string title =
+        (state().document && state().document->lesson ? state().document->lesson->title : short_name(state())) +
+        " — Texelscope";
     if (title != title_) host_.set_title(title_ = title);
     if (host_.fullscreen() != state().look.presenting) host_.set_fullscreen(state().look.presenting);
 }

@@ -22,7 +22,8 @@ struct ShellOptions {
 class Shell {
 public:
     /// Bakes the fonts that `state` asks for. Fails where a font is missing.
-    static Result<std::unique_ptr<Shell>> start(Host& host, State state, std::vector<Lesson> lessons, ShellOptions options = {});
+    static Result<std::unique_ptr<Shell>> start(Host& host, State state, std::vector<Lesson> lessons,
+                                                ShellOptions options = {});
 
     /// One frame: draws the state, then dispatches what was done.
     void frame(const ui::Input& input);

@@ -40,7 +40,8 @@ int leave_picture(const State& state, const Error& why) {
     const auto png = encode_png((*app)->picture());
     if (!png) return fail(png.error());
     if (const auto error = write_file_atomically(kOpeningPicture, *png)) return fail(*error);
-    std::fprintf(stderr, "texelscope: %s; the opening screen is in %s instead\n", why.text().c_str(), kOpeningPicture.data());
+    std::fprintf(stderr, "texelscope: %s; the opening screen is in %s instead\n", why.text().c_str(),
+                 kOpeningPicture.data());
     return kExitDone;
 }
 
