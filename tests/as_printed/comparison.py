@@ -1,0 +1,73 @@
+"""Draws scenes with the program and compares its rows with rows that were computed here."""
+import argparse
+import json
+import random
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+
+HEADER = "scene,polygon,x,y,u,v,texel_x,texel_y,r,g,b,note"
+
+
+def arguments(description, count):
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("--texelscope", required=True, help="the program under test")
+    parser.add_argument("--seed", type=int, default=1995)
+    parser.add_argument("--count", type=int, default=count, help="how many scenes")
+    args = parser.parse_args()
+    print(f"seed {args.seed}, {args.count} scenes")
+    return args, random.Random(args.seed)
+
+
+def single(x):
+    """The nearest float32, as the float64 that all arithmetic starts from."""
+    return float(np.float32(x))
+
+
+def address_texel(column, row):
+    """The scene's only texture is an address pattern; the first texture's mark is 1."""
+    return column & 255, row & 255, 1
+
+
+def scene_of(rng, polygon_vertices, light, size, wrap, width, height):
+    vertices = [dict(zip(("x", "y", "u", "v"), corner)) for corner in polygon_vertices]
+    return {
+        "texelscope": 1,
+        "framebuffer": {"width": width, "height": height},
+        "textures": [{"name": "t", "pattern": "address", "size": list(size), "wrap": wrap}],
+        "polygons": [{"texture": "t", "light": light, "vertices": vertices}],
+    }
+
+
+def row_text(scene, x, y, u, v, column, row, colour, note=""):
+    return f"{scene},0,{x},{y},{u:.17g},{v:.17g},{column},{row},{colour[0]},{colour[1]},{colour[2]},{note}"
+
+
+def compare(program, options, scenes, expected):
+    """`expected`: a list of rows for each scene. Returns how many scenes differ, and prints the first ones."""
+    with tempfile.NamedTemporaryFile("w", suffix=".jsonl") as file:
+        for scene in scenes:
+            file.write(json.dumps(scene) + "\n")
+        file.flush()
+        run = subprocess.run([program, "pixels", "--lines", file.name] + options, capture_output=True, text=True)
+    if run.returncode != 0:
+        sys.exit(f"the program failed: {run.stderr}")
+    lines = run.stdout.splitlines()
+    if lines[0] != HEADER:
+        sys.exit(f"header is {lines[0]}")
+    found = [[] for _ in scenes]
+    for line in lines[1:]:
+        found[int(line[: line.index(",")])].append(line)
+    different = [n for n in range(len(scenes)) if found[n] != expected[n]]
+    for n in different[:3]:
+        print(f"scene {n} differs: {json.dumps(scenes[n])}")
+        print(f"  {len(expected[n])} rows here, {len(found[n])} from the program")
+        pairs = [(a, b) for a, b in zip(expected[n] + [""] * 9, found[n] + [""] * 9) if a != b]
+        for here, there in pairs[:3]:
+            print(f"  here    {here}\n  program {there}")
+    rows = sum(len(rows) for rows in expected)
+    drawn = sum(1 for rows in expected if rows)
+    print(f"{rows} rows in {drawn} scenes that draw anything; {len(different)} scenes differ")
+    return len(different)

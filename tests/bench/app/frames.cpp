@@ -1,0 +1,111 @@
+// What a frame costs, presenting left out: dragging a vertex in each lesson at 1920x1080, and steps anywhere in a
+// 4096x4096 scene of 10,000 polygons, with the picture as it stands there.
+//   frames
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+#include "app/platform/scripted_input.h"
+#include "app/shell/headless.h"
+#include "core/image/patterns.h"
+
+namespace texelscope {
+namespace {
+
+constexpr glm::vec2 kScreen{1920, 1080};
+constexpr int kDragFrames = 200, kSide = 4096, kPolygons = 10000, kSteps = 60;
+
+double milliseconds(auto&& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void report(const char* what, std::vector<double> times) {
+    std::sort(times.begin(), times.end());
+    std::printf("%-44s median %7.2f ms  p95 %7.2f ms  max %7.2f ms\n", what, times[times.size() / 2],
+                times[times.size() * 95 / 100], times.back());
+}
+
+void drag_in(const Lesson& lesson) {
+    auto app = Headless::start(*state_of(lesson.id, {}), kScreen);
+    if (!app) return void(std::printf("%s: %s\n", lesson.id.c_str(), app.error().text().c_str()));
+    (*app)->settle();
+    const glm::vec2 from = position_of((*app)->store().derived().scene(), {0, 0, false});
+    std::vector<double> times;
+    for (int n = 0; n < kDragFrames; ++n) {
+        const auto angle = static_cast<float>(n) * 0.1F;
+        times.push_back(milliseconds([&] {
+            (*app)->store().dispatch(
+                action::MoveVertex{{0, 0, false}, from + glm::vec2(std::cos(angle), std::sin(angle)) * 2.0F, 1});
+            (*app)->frame();
+        }));
+    }
+    report(("drag in " + lesson.id).c_str(), times);
+}
+
+std::shared_ptr<const Document> large_document() {
+    std::mt19937 random(1);
+    const auto within = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); };
+    auto document = std::make_shared<Document>();
+    document->id = "large.json";
+    document->scene.framebuffer = {kSide, kSide, 0, 0, {}};
+    auto texture = std::make_shared<Texture>();
+    texture->texels = make_pattern(Pattern::uv, 256, 256, 1);
+    document->scene.textures = {texture};
+    for (int n = 0; n < kPolygons; ++n) {
+        const glm::vec2 centre(within(0, kSide), within(0, kSide));
+        const float size = within(20, 400);
+        Polygon polygon;
+        for (int k = 0; k < 5; ++k) {
+            const float angle = 6.2831853F * (static_cast<float>(k) + within(0, 0.7F)) / 5;
+            polygon.vertices.push_back({centre.x + size * std::cos(angle), centre.y + size * std::sin(angle), 0, 1,
+                                        within(0, 256), within(0, 256)});
+        }
+        document->scene.polygons.push_back(std::move(polygon));
+    }
+    return document;
+}
+
+void steps_in_large_scene(const char* what, float zoom) {
+    auto app = Headless::start(opened(large_document(), State{}), kScreen);
+    if (!app) return void(std::printf("%s\n", app.error().text().c_str()));
+    Store& store = (*app)->store();
+    std::mt19937 random(2);
+    std::vector<double> values, pictures, frames;
+    for (int n = 0; n < kSteps; ++n) {
+        const int shapes = store.derived().drawing().shape_count();
+        const Path shape{{{'t', static_cast<Integer>(random() % static_cast<unsigned>(shapes))}}};
+        const Path step = store.derived().steps().at_level(shape, Level::pixel);
+        Look look = store.state().look;
+        look.zoom = zoom;
+        look.centre = {static_cast<float>(step.index_of('x').value_or(0)),
+                       static_cast<float>(step.index_of('y').value_or(0))};
+        store.dispatch(action::SetLook{look});
+        values.push_back(milliseconds([&] {
+            store.dispatch(action::StepTo{step});
+            static_cast<void>(store.derived().variables().size());
+        }));
+        pictures.push_back(milliseconds([&] { (*app)->frame(); }));
+        store.dispatch(action::Step{1});
+        frames.push_back(milliseconds([&] { (*app)->frame(); }));
+    }
+    std::printf("%s\n", what);
+    report("  a step's values", values);
+    report("  its picture, from another shape", pictures);
+    report("  the next step's picture", frames);
+}
+
+}  // namespace
+}  // namespace texelscope
+
+int main() {
+    using namespace texelscope;
+    std::vector<Error> faults;
+    for (const Lesson& lesson : built_in_lessons(faults)) drag_in(lesson);
+    steps_in_large_scene("4096x4096, 10,000 polygons, 16 window pixels a pixel", 16);
+    steps_in_large_scene("4096x4096, 10,000 polygons, all in view", 0);
+    return faults.empty() ? 0 : 1;
+}
