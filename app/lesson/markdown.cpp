@@ -97,7 +97,12 @@ private:
     }
     int leave(MD_BLOCKTYPE type) {
         if (type == MD_BLOCK_DOC) return 0;
-        if (blocks_.back().line == 0) blocks_.back().line = line_at(at_);
+        MarkdownBlock& block = blocks_.back();
+        if (block.line == 0) block.line = line_at(at_);
+        if (block.kind != MarkdownBlock::Kind::fence) {  // a forced line break may stand at either end
+            block.text.erase(0, std::min(block.text.find_first_not_of(" \t"), block.text.size()));
+            block.text.erase(block.text.find_last_not_of(" \t") + 1);
+        }
         if (text_.empty()) return 0;
         if (type == MD_BLOCK_CODE) move_to_line_of("`~");
         move_behind_line();

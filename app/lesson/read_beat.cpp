@@ -150,6 +150,7 @@ private:
         return std::nullopt;
     }
     std::optional<Error> paragraph(const MarkdownBlock& block) {
+        if (block.text.empty()) return std::nullopt;
         std::string& prose = beats_.back().prose;
         prose += (prose.empty() ? "" : kBetweenParagraphs) + block.text;
         const int length = visible_length(prose);

@@ -159,6 +159,10 @@ template <class T>
 
 }  // namespace
 
+std::string with_checksum(std::string_view fields) {
+    return fmt::format("{}{};{:08x}", kPrefix, fields, checksum(fields));
+}
+
 bool looks_like_link(std::string_view text) { return text.starts_with("texelscope:"); }
 
 std::string print_link(const State& state) {
@@ -175,7 +179,7 @@ std::string print_link(const State& state) {
     }
     for (const Answer& a : w.answers) text += ";" + print_answer(a);
     if (!w.texture_file.empty()) text += ";t=" + escaped(w.texture_file);
-    return fmt::format("{}{};{:08x}", kPrefix, text, checksum(text));
+    return with_checksum(text);
 }
 
 Result<Link> parse_link(std::string_view text) {

@@ -21,5 +21,7 @@ struct Link {
 /// Reads what print_link wrote. Damaged text is an error that says so in one line.
 Result<Link> parse_link(std::string_view text);
 [[nodiscard]] bool looks_like_link(std::string_view text);
+/// A whole line out of its fields: the beginning and the check sum put around them.
+[[nodiscard]] std::string with_checksum(std::string_view fields);
 
 }  // namespace texelscope

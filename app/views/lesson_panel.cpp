@@ -22,7 +22,7 @@ constexpr std::string_view kCheckTip = "Compare with what the engine computes (P
                            kSkipTip = "Go on without an answer";
 constexpr std::string_view kPrevious = "The beat before (PgUp)", kNext = "The next beat (PgDn)";
 constexpr std::string_view kSkipped = "Skipped.", kRight = "Right.", kWrong = "Not so.", kSee = "See {}";
-constexpr std::string_view kSeeTip = "Go to the first step that explains it";
+constexpr std::string_view kSeeShort = "See why", kSeeTip = "Go to {}, the first step that explains it";
 constexpr std::string_view kPickPixel = "Click a pixel on the canvas.", kPickTexel = "Click a texel.",
                            kPickLine = "Click a line of the code.";
 constexpr std::string_view kTakePinned = "Take {}", kTakeTip = "Answer with what is pinned",
@@ -76,6 +76,7 @@ public:
         x_ += width + place_.gap - 1;
         return at;
     }
+    [[nodiscard]] bool fits(float width) const { return x_ + width <= area_.right(); }
     /// Moves on so that `width` ends at the right border, where it still fits into the row.
     void push_right(float width) {
         if (x_ + width <= area_.right()) x_ = area_.right() - width;
@@ -211,10 +212,12 @@ private:
     }
     void draw_reason(Flow& flow) const {
         if (answer_->verdict == Answer::Verdict::right || answer_->explain.empty()) return;
-        const std::string label = fmt::format(kSee, words_of(answer_->explain));
+        const std::string step = words_of(answer_->explain);
+        std::string label = fmt::format(kSee, step);
+        if (!flow.fits(ui::button_width(ui(), label))) label = kSeeShort;
         const float width = ui::button_width(ui(), label);
         flow.push_right(width);
-        if (ui::button(ui(), "prediction/see", flow.next(width), label, kSeeTip).clicked)
+        if (ui::button(ui(), "prediction/see", flow.next(width), label, fmt::format(kSeeTip, step)).clicked)
             c_.act(action::StepTo{answer_->explain});
     }
 

@@ -27,6 +27,7 @@ struct EdgeEquations {
     struct Corner {
         T x, y, u, v;
     };
+    using Corners = std::array<Corner, 3>;
     struct Plane {
         T x, y, k;
     };  ///< a = x X + y Y + k over the screen
@@ -74,7 +75,7 @@ struct EdgeEquations {
     Setup setup(std::span<const Vertex> triangle) const {
         Setup s;
         trace.stage("delta");
-        const std::array<Corner, 3> p{corner(triangle, 0), corner(triangle, 1), corner(triangle, 2)};
+        const Corners p{corner(triangle, 0), corner(triangle, 1), corner(triangle, 2)};
         s.light = trace("L", Input<T>::from(lightness, mode));
         s.half = Input<T>::from(quirk.corners ? 0.0F : 0.5F, mode);
         s.delta = trace("Δ", (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y));
@@ -102,8 +103,7 @@ struct EdgeEquations {
         return c;
     }
 
-    Plane plane(const char* a, const std::array<Corner, 3>& p, const T& a0, const T& a1, const T& a2,
-                const T& delta) const {
+    Plane plane(const char* a, const Corners& p, const T& a0, const T& a1, const T& a2, const T& delta) const {
         const T x = trace({a, "_x"}, ((a1 - a0) * (p[2].y - p[0].y) - (a2 - a0) * (p[1].y - p[0].y)) / delta);
         const T y = trace({a, "_y"}, ((p[1].x - p[0].x) * (a2 - a0) - (p[2].x - p[0].x) * (a1 - a0)) / delta);
         const T k = trace({a, "_k"}, a0 - p[0].x * x - p[0].y * y);
@@ -128,7 +128,7 @@ struct EdgeEquations {
         return {x, y, k, owns};
     }
 
-    Box bounds(const std::array<Corner, 3>& p) const {
+    Box bounds(const Corners& p) const {
         const T left = trace("x_min", lesser(lesser(p[0].x, p[1].x), p[2].x));
         const T right = trace("x_max", greater(greater(p[0].x, p[1].x), p[2].x));
         const T top = trace("y_min", lesser(lesser(p[0].y, p[1].y), p[2].y));

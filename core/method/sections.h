@@ -70,8 +70,14 @@ struct Sections {
             trace.stage("section");
             s = section(ring, s);
             if (quirk.ghost) drawn.push_back(s);
-            for (const Int j : trace.each('y', greater(s.first, Int(frame.y0)), lesser(s.last, Int(frame.y1))))
-                draw_row(ring, s, drawn, j, put);
+            if (quirk.ghost) {  // a row beyond the picture may leave its ghost inside
+                const Int first = greater(s.first, Int(frame.y0 - kBufferRows)),
+                          last = lesser(s.last, Int(frame.y1 + kBufferRows));
+                for (const Int j : trace.stray('y', first, last)) draw_row(ring, s, drawn, j, put);
+            } else {
+                const Int first = greater(s.first, Int(frame.y0)), last = lesser(s.last, Int(frame.y1));
+                for (const Int j : trace.each('y', first, last)) draw_row(ring, s, drawn, j, put);
+            }
             s = advanced(ring, s);
         }
         return Fate::written;
@@ -154,6 +160,7 @@ struct Sections {
             if (frame.contains(x, y)) put(Int(x), Int(y), p);
             return;
         }
+        if (plain(j) < frame.y0 || plain(j) >= frame.y1) return;
         const bool right = !quirk.whole_pixels || plain(row.first <= row.last);  // the row may run leftward
         const Int first = right ? greater(row.first, Int(frame.x0)) : lesser(row.first, Int(frame.x1 - 1));
         const Int last = right ? lesser(row.last, Int(frame.x1)) : greater(row.last, Int(frame.x0 - 1));
@@ -203,15 +210,16 @@ struct Sections {
     }
     void fetch(Pixel& p) const {
         const Rgb& colour = texture.texels.at(int(plain(p.texel.column)), int(plain(p.texel.row)));
-        p.texel.r = trace("r", shade(colour.r));
-        p.texel.g = trace("g", shade(colour.g));
-        p.texel.b = trace("b", shade(colour.b));
+        const T light = trace("L", Input<T>::from(lightness, mode));
+        p.texel.r = trace("r", shade(colour.r, light));
+        p.texel.g = trace("g", shade(colour.g, light));
+        p.texel.b = trace("b", shade(colour.b, light));
     }
-    Int shade(int channel) const {
-        return lightness == 1 ? Int(channel) : lit(T(channel), Input<T>::from(lightness, mode), false);
+    Int shade(int channel, const T& light) const {
+        return lightness == 1 ? Int(channel) : lit(T(channel), light, false);
     }
 
-    static constexpr Integer kBufferRows = 4096;  ///< as far back as a slot is looked for: far-off corners cost no time
+    static constexpr Integer kBufferRows = 1024;  ///< as far back as a slot is looked for: far-off corners cost no time
     struct Ghost {
         Integer x = 0, y = 0;
         Pixel pixel;

@@ -89,6 +89,9 @@ struct PartialTrace {
     PartialRange each(char letter, Integer first, Integer last) const {
         return limited(letter, first, last, 1, [&](Integer end) { return window.each(letter, first, end); });
     }
+    PartialRange stray(char letter, Integer first, Integer last) const {
+        return limited(letter, first, last, 1, [&](Integer end) { return Range(first, end, 1); });
+    }
     PartialRange walk(char letter, Integer first, Integer last) const {
         return limited(letter, first, last, 1, [&](Integer end) { return window.walk(letter, first, end); });
     }

@@ -140,6 +140,9 @@ struct Listener {
     RecordedRange each(char letter, const auto& first, const auto& last, int line = __builtin_LINE()) const {
         return {*recording, {letter, whole(first), whole(last), 1}, Recording::Carry::none, line};
     }
+    RecordedRange stray(char letter, const auto& first, const auto& last, int line = __builtin_LINE()) const {
+        return each(letter, first, last, line);
+    }
     RecordedRange walk(char letter, const auto& first, const auto& last, int line = __builtin_LINE()) const {
         return {*recording, {letter, whole(first), whole(last), 1}, Recording::Carry::rounds_before, line};
     }

@@ -70,6 +70,8 @@ struct NoTrace {
     constexpr void stage(const char*) const {}
     constexpr Fate fate(Fate fate) const { return fate; }
     constexpr UpRange each(char, Integer first, Integer last) const { return {first, last}; }
+    /// As each(), for rounds that may put samples anywhere: a window leaves it whole.
+    constexpr UpRange stray(char, Integer first, Integer last) const { return {first, last}; }
     constexpr UpRange walk(char, Integer first, Integer last) const { return {first, last}; }
     constexpr UpRange fill(char, Integer first, Integer last) const { return {first, last}; }
     constexpr TowardRange toward(char, Integer first, Integer last) const { return {first, last}; }

@@ -25,7 +25,7 @@ Scene large_scene(int side, int polygons) {
     texture->texels = make_pattern(Pattern::uv, 256, 256, 1);
     scene.textures = {texture};
     for (int n = 0; n < polygons; ++n) {
-        const double x = within(0, side), y = within(0, side), size = within(10, side / 10.0);
+        const double x = within(0, side), y = within(0, side), size = within(10, side / 16.0);
         Polygon polygon;
         for (int k = 0; k < 5; ++k) {
             const double angle = 6.283185307179586 * (k + within(0, 0.7)) / 5;

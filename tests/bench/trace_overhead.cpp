@@ -44,14 +44,6 @@ Shapes shapes_of(int corners, int size) {
     return shapes;
 }
 
-Job job_of(const std::vector<Vertex>& corners, const Rect& frame, const Texture& texture) {
-    Job job;
-    job.corners = corners;
-    job.texture = &texture;
-    job.frame = frame;
-    return job;
-}
-
 void triangles_by_hand(const Shapes& shapes, const Rect& frame, const Texture& texture, Image& picture) {
     for (const auto& shape : shapes) by_hand::triangle(picture, frame, texture, shape);
 }
@@ -71,7 +63,13 @@ template <template <class, class> class M>
 template <const char* id>
 void registered(const Shapes& shapes, const Rect& frame, const Texture& texture, Image& picture) {
     const Method& method = *find_method(id);
-    for (const auto& shape : shapes) method.render(NumberFormat::f64, job_of(shape, frame, texture), picture);
+    Job job;
+    job.texture = &texture;
+    job.frame = frame;
+    for (const auto& shape : shapes) {
+        job.corners = shape;
+        method.render(NumberFormat::f64, job, picture);
+    }
 }
 
 double seconds(Draw draw, const Shapes& shapes, const Rect& frame, const Texture& texture, Image& picture) {

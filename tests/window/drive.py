@@ -88,10 +88,11 @@ def drive(program, saved):
     start = saved_link()
     expect("the window opens on lesson 9", "09-" in start and not field(start, "e"), start)
     xdotool("mousemove", "--window", window, *place(3.5, 20.25), "mousedown", 1)
+    saved_link()  # by now the window has seen the press; a hand is never so quick that it had not
     for x, y in ((4, 20), (5, 19.5), (5.5, 19.25)):
         xdotool("mousemove", "--window", window, *place(x, y))
+    saved_link()
     xdotool("mouseup", 1)
-    xdotool("mousemove", "--window", window, 640, 20)
     dragged = saved_link()
     expect("a drag moves the vertex", corner(dragged, 5.5, 19.25), dragged)
     keys("Right", "Right", "Right")

@@ -27,6 +27,7 @@ public:
           theme_(make_theme(name)),
           context_(ImGui::CreateContext(&fonts_.atlas())) {
         ImGui::SetCurrentContext(context_);
+        ImGui::GetIO().IniFilename = nullptr;
         ImGui::GetIO().DisplaySize = {1280, 720};
         frame();
     }

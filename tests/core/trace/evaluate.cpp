@@ -160,7 +160,8 @@ private:
         return t.literal.empty() && std::holds_alternative<Integer>(t.value);
     }
     [[nodiscard]] static bool is_real(const Term& t) {
-        return t.literal.empty() && !std::holds_alternative<Integer>(t.value) && !std::holds_alternative<bool>(t.value);
+        if (!t.literal.empty()) return t.literal.find_first_of(".en") != std::string::npos;  // 0.5, 1e+30, nan
+        return !std::holds_alternative<Integer>(t.value) && !std::holds_alternative<bool>(t.value);
     }
     /// Two operands: whole numbers among themselves stay whole, a real one makes both real.
     [[nodiscard]] Term combined(Op op, const Term& a, const Term& b) {
