@@ -71,8 +71,8 @@ struct Sections {
             s = section(ring, s);
             if (quirk.ghost) drawn.push_back(s);
             if (quirk.ghost) {  // a row beyond the picture may leave its ghost inside
-                const Int first = greater(s.first, Int(frame.y0 - kBufferRows)),
-                          last = lesser(s.last, Int(frame.y1 + kBufferRows));
+                const Int first = greater(s.first, Int(frame.y0 - kRowsBeyond)),
+                          last = lesser(s.last, Int(frame.y1 + kRowsBeyond));
                 for (const Int j : trace.stray('y', first, last)) draw_row(ring, s, drawn, j, put);
             } else {
                 const Int first = greater(s.first, Int(frame.y0)), last = lesser(s.last, Int(frame.y1));
@@ -219,6 +219,7 @@ struct Sections {
         return lightness == 1 ? Int(channel) : lit(T(channel), light, false);
     }
 
+    static constexpr Integer kRowsBeyond = 128;   ///< rows above and below the picture whose ghosts are still drawn
     static constexpr Integer kBufferRows = 1024;  ///< as far back as a slot is looked for: far-off corners cost no time
     struct Ghost {
         Integer x = 0, y = 0;
