@@ -17,9 +17,9 @@ namespace texelscope {
 
 /// A sample as the canvas shows it at the cursor's step.
 struct CanvasCell {
-    Rgb now{}, later{};       ///< written so far; what will be there in the end
-    std::uint8_t writes = 0;  ///< so far, up to 255
-    std::uint8_t writes_in_all = 0;
+    Rgb now{}, later{};    ///< written so far; what will be there in the end
+    bool written = false;  ///< so far, by any shape
+    bool will_be_written = false;
     bool visited = false;           ///< by the current shape so far, written or not
     bool will_be_visited = false;   ///< by the current shape, in the end
     Fate fate = Fate::outside_box;  ///< of the current shape's last sample there
@@ -103,6 +103,8 @@ public:
 
     [[nodiscard]] const Image& final_picture() const;
     [[nodiscard]] const CanvasPicture& canvas(const Window& window) const;
+    /// How often the whole drawing writes each cell of the window, up to 255.
+    [[nodiscard]] const Grid<std::uint8_t>& hits(const Window& window) const;
     [[nodiscard]] std::vector<Lane> lanes() const;                 ///< T, G, S, P, E in this order, always five
     [[nodiscard]] const std::vector<Variable>& variables() const;  ///< changed first, then by age
     [[nodiscard]] const LineCounts& line_counts() const;           ///< up to the cursor, in the current shape
@@ -112,10 +114,16 @@ public:
     [[nodiscard]] Highlight highlight(const Selection& selection) const;
     /// Every sample written to a pixel so far, oldest first.
     [[nodiscard]] std::vector<std::pair<int, Sample>> writers(glm::ivec2 pixel) const;
+    /// How often the whole drawing writes a pixel.
+    [[nodiscard]] int writes_in_all(glm::ivec2 pixel) const;
     /// The step at which the pixel was last written before, or else at all; empty where never.
     [[nodiscard]] std::optional<Path> last_write(glm::ivec2 pixel) const;
 
 private:
+    [[nodiscard]] int first_needed() const;
+    /// The canvas as it is before a shape's first sample, and which samples the shape is going to visit.
+    [[nodiscard]] const CanvasPicture& canvas_before(int shape, const Window& window) const;
+
     struct Cache;
     std::unique_ptr<Cache> cache_;
 };

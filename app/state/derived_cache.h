@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/state/derived.h"
+#include "core/method/layer.h"
 
 namespace texelscope {
 
@@ -21,7 +22,18 @@ struct Derived::Cache {
     struct OfDrawing {
         std::optional<Image> final_picture;
         std::optional<std::vector<Notice>> notices;
-        std::optional<CanvasPicture> whole;  ///< the end of the drawing, over the canvas' window
+        std::optional<Layer> whole;  ///< the end of the drawing, over the canvas' window
+        /// The canvas before the first sample of a shape.
+        struct Before {
+            int shape = -1;
+            CanvasPicture canvas;
+        };
+        std::optional<Before> before;
+        struct Hits {
+            Window window;
+            Grid<std::uint8_t> count;
+        };
+        std::optional<Hits> hits;
         std::map<std::pair<int, Integer>, std::vector<TickKind>> rows;  ///< of a shape's stage
     };
     /// Holds as long as the cursor stays.
@@ -38,6 +50,9 @@ struct Derived::Cache {
     std::uint64_t version = 0;
 };
 
+/// The last of the tape's names that has its value at `step`, which lies in the visit's unit; -1 where there is none.
+/// A unit's run goes on to the end of the shape: what comes after the unit is not known yet.
+[[nodiscard]] std::int32_t last_known(const Visit& visit, const Path& step);
 [[nodiscard]] std::vector<Variable> make_variables(const Visit& visit, const Named* now, const Cursor& cursor,
                                                    Steps& steps);
 

@@ -11,19 +11,6 @@ namespace {
             (static_cast<int>(s.y) - window.rect.y0) / window.stride};
 }
 
-[[nodiscard]] CanvasPicture blank(const Window& window, Rgb clear) {
-    const auto cells = [&](int length) { return (length + window.stride - 1) / window.stride; };
-    CanvasCell cell;
-    cell.now = cell.later = clear;
-    return {window, Grid<CanvasCell>(cells(window.rect.width()), cells(window.rect.height()), cell), 0};
-}
-
-[[nodiscard]] std::uint8_t one_more(std::uint8_t count) {
-    return count < 255 ? static_cast<std::uint8_t>(count + 1) : count;
-}
-
-[[nodiscard]] bool same(const Window& a, const Window& b) { return a.rect == b.rect && a.stride == b.stride; }
-
 /// Whether the sample is the cursor's own and its unit is not finished: it has not reached the framebuffer yet.
 [[nodiscard]] bool unfinished(const Cursor& cursor, const Visit& visit, int shape, const Sample& s) {
     const Path& step = cursor.step;
@@ -43,40 +30,70 @@ const Image& Derived::final_picture() const {
 const CanvasPicture& Derived::canvas(const Window& wanted) const {
     const Window window{intersection(wanted.rect, scene().framebuffer.rect()), std::max(1, wanted.stride)};
     auto& canvas = cache_->of_step.canvas;
-    if (canvas && same(canvas->window, window)) return *canvas;
-    auto& whole = cache_->of_drawing.whole;
-    if (!whole || !same(whole->window, window)) {
-        whole = blank(window, scene().framebuffer.clear);
-        each_sample(drawing(), 0, drawing().shape_count(), window, [&](int, const Sample& s) {
-            if (s.fate != Fate::written) return;
-            const glm::ivec2 at = cell_of(window, s);
-            CanvasCell& cell = whole->cells.at(at.x, at.y);
-            cell.later = s.colour;
-            cell.writes_in_all = one_more(cell.writes_in_all);
-        });
-    }
-    canvas = *whole;
+    if (canvas && canvas->window == window) return *canvas;
     const int current = shape();
+    canvas = canvas_before(current, window);
     if (current >= 0) {
-        each_sample(drawing(), current, current + 1, window, [&](int, const Sample& s) {
-            const glm::ivec2 at = cell_of(window, s);
-            canvas->cells.at(at.x, at.y).will_be_visited = true;
-            canvas->cells.at(at.x, at.y).fate = s.fate;
-            canvas->cells.at(at.x, at.y).note = s.note;
-        });
         const Cursor& cursor = cache_->state.cursor;
-        each_sample_until(drawing(), cursor.step, window, [&](int n, const Sample& s) {
-            if (unfinished(cursor, visit(), n, s)) return;
+        each_sample_until(drawing(), first_needed(), cursor.step, window, [&](int n, const Sample& s) {
+            if (n != current || unfinished(cursor, visit(), n, s)) return;
             const glm::ivec2 at = cell_of(window, s);
             CanvasCell& cell = canvas->cells.at(at.x, at.y);
-            if (n == current) cell.visited = true;
+            cell.visited = true;
             if (s.fate != Fate::written) return;
             cell.now = s.colour;
-            cell.writes = one_more(cell.writes);
+            cell.written = true;
         });
     }
     canvas->version = ++cache_->version;
     return *canvas;
+}
+
+/// With a depth test a shape's samples follow only from all those before it.
+int Derived::first_needed() const { return scene().depth == Depth::less ? 0 : std::max(0, shape()); }
+
+const CanvasPicture& Derived::canvas_before(int shape, const Window& window) const {
+    auto& whole = cache_->of_drawing.whole;
+    auto& before = cache_->of_drawing.before;
+    if (!whole || whole->window() != window) whole = layer_of(drawing(), drawing().shape_count(), window), before = {};
+    if (before && before->shape == shape) return before->canvas;
+    const Layer so_far = layer_of(drawing(), std::max(0, shape), window, &*whole);
+    const Rgb clear = scene().framebuffer.clear;
+    Grid<CanvasCell> cells(so_far.cells().width(), so_far.cells().height());
+    std::transform(so_far.cells().data(), so_far.cells().data() + so_far.cells().size(), whole->cells().data(),
+                   cells.data(), [clear](const LayerCell& now, const LayerCell& later) {
+                       CanvasCell cell;
+                       cell.written = now.shape >= 0, cell.will_be_written = later.shape >= 0;
+                       cell.now = cell.written ? now.colour : clear;
+                       cell.later = cell.will_be_written ? later.colour : clear;
+                       return cell;
+                   });
+    if (shape >= 0) {
+        each_sample(drawing(), first_needed(), shape + 1, window, [&](int n, const Sample& s) {
+            if (n != shape) return;
+            const glm::ivec2 at = cell_of(window, s);
+            CanvasCell& cell = cells.at(at.x, at.y);
+            cell.will_be_visited = true;
+            cell.fate = s.fate;
+            cell.note = s.note;
+        });
+    }
+    before = {shape, {window, std::move(cells), 0}};
+    return before->canvas;
+}
+
+const Grid<std::uint8_t>& Derived::hits(const Window& window) const {
+    auto& hits = cache_->of_drawing.hits;
+    if (hits && hits->window == window) return hits->count;
+    const auto cells = [&](int length) { return (length + window.stride - 1) / window.stride; };
+    hits = {window, {cells(window.rect.width()), cells(window.rect.height())}};
+    each_sample(drawing(), 0, drawing().shape_count(), window, [&](int, const Sample& s) {
+        if (s.fate != Fate::written) return;
+        const glm::ivec2 at = cell_of(window, s);
+        std::uint8_t& count = hits->count.at(at.x, at.y);
+        if (count < 255) ++count;
+    });
+    return hits->count;
 }
 
 const LineCounts& Derived::line_counts() const {

@@ -30,21 +30,25 @@ constexpr std::size_t kMostLinked =
 
 std::vector<std::pair<int, Sample>> Derived::writers(glm::ivec2 pixel) const {
     std::vector<std::pair<int, Sample>> found;
-    each_sample_until(drawing(), cache_->state.cursor.step, {{pixel.x, pixel.y, pixel.x + 1, pixel.y + 1}, 1},
+    each_sample_until(drawing(), 0, cache_->state.cursor.step, {{pixel.x, pixel.y, pixel.x + 1, pixel.y + 1}, 1},
                       [&](int n, const Sample& s) {
                           if (s.fate == Fate::written) found.emplace_back(n, s);
                       });
     return found;
 }
 
+int Derived::writes_in_all(glm::ivec2 pixel) const {
+    int count = 0;
+    each_sample(drawing(), 0, drawing().shape_count(), {{pixel.x, pixel.y, pixel.x + 1, pixel.y + 1}, 1},
+                [&](int, const Sample& s) { count += s.fate == Fate::written ? 1 : 0; });
+    return count;
+}
+
 std::optional<Path> Derived::last_write(glm::ivec2 pixel) const {
     const auto so_far = writers(pixel);
     if (!so_far.empty()) return steps().at_pixel(so_far.back().first, pixel.x, pixel.y);
-    int last = -1;
-    each_sample(drawing(), 0, drawing().shape_count(), {{pixel.x, pixel.y, pixel.x + 1, pixel.y + 1}, 1},
-                [&](int n, const Sample& s) {
-                    if (s.fate == Fate::written) last = n;
-                });
+    const Layer whole = layer_of(drawing(), drawing().shape_count(), {{pixel.x, pixel.y, pixel.x + 1, pixel.y + 1}, 1});
+    const int last = whole.cells().at(0, 0).shape;
     return last < 0 ? std::nullopt : steps().at_pixel(last, pixel.x, pixel.y);
 }
 

@@ -115,7 +115,7 @@ void draw_pixel(const ViewContext& ctx, const Strip& strip, std::int64_t address
     for (int n = 0; n < kBytesPerPixel; ++n) {
         const float x = bytes.x + static_cast<float>(n) * strip.cell;
         const float w = n == kBytesPerPixel - 1 ? bytes.right() - x : strip.cell - 1;
-        draw_byte(ctx, {x, bytes.y, w, bytes.h}, values[static_cast<std::size_t>(n)], n, cell.writes > 0);
+        draw_byte(ctx, {x, bytes.y, w, bytes.h}, values[static_cast<std::size_t>(n)], n, cell.written);
     }
 }
 

@@ -115,8 +115,11 @@ std::string describe(const Sheet& sheet, glm::ivec2 pixel) {
     if (cell == nullptr) return {};
     const bool reached = cell->visited || cell->will_be_visited;
     std::string text = fmt::format(kPixelTip, pixel.x, pixel.y, text_of(reached ? cell->fate : Fate::outside_box));
-    if (cell->writes_in_all > 0) text += fmt::format(kWrites, cell->writes, cell->writes_in_all);
-    if (cell->writes > 0) text += fmt::format(kColour, cell->now.r, cell->now.g, cell->now.b);
+    if (cell->will_be_written) {
+        const Derived& derived = sheet.ctx.derived;
+        text += fmt::format(kWrites, derived.writers(pixel).size(), derived.writes_in_all(pixel));
+    }
+    if (cell->written) text += fmt::format(kColour, cell->now.r, cell->now.g, cell->now.b);
     if (cell->note == Note::ghost) text += kGhostTip;
     return text;
 }

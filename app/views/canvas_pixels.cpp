@@ -28,19 +28,39 @@ constexpr float kCoveredFill = .66F, kRejectedFill = .85F, kOnceFill = .40F, kAg
 
 /// What a cell shows. A black clear colour lets the canvas through: nothing is there.
 [[nodiscard]] Rgba shown(const Sheet& sheet, const CanvasCell& cell, Rgba empty) {
-    if (sheet.ctx.state.look.hits) {
-        if (cell.writes_in_all == 0) return empty;
-        if (cell.writes_in_all == 1) return rgba(sheet.color(Role::covered), kOnceFill);
-        return rgba(sheet.color(Role::error), kAgainFill + kAgainStep * static_cast<float>(cell.writes_in_all - 2));
-    }
     if (sheet.planes) {
         if (!cell.visited) return empty;
         const bool covered = cell.fate == Fate::written;
         return rgba(sheet.color(covered ? Role::covered : Role::rejected), covered ? kCoveredFill : kRejectedFill);
     }
-    if (cell.writes > 0) return rgba(cell.now, 1);
-    if (cell.writes_in_all > 0) return rgba(cell.later, ui::alpha::kNotYet);
+    if (cell.written) return rgba(cell.now, 1);
+    if (cell.will_be_written) return rgba(cell.later, ui::alpha::kNotYet);
     return empty;
+}
+
+[[nodiscard]] Rgba shown_hits(const Sheet& sheet, int hits, Rgba empty) {
+    if (hits == 0) return empty;
+    if (hits == 1) return rgba(sheet.color(Role::covered), kOnceFill);
+    return rgba(sheet.color(Role::error), kAgainFill + kAgainStep * static_cast<float>(hits - 2));
+}
+
+[[nodiscard]] int hits_at(const Sheet& sheet, glm::ivec2 pixel) {
+    const Window& w = sheet.picture.window;
+    return sheet.ctx.derived.hits(w).at((pixel.x - w.rect.x0) / w.stride, (pixel.y - w.rect.y0) / w.stride);
+}
+
+[[nodiscard]] Grid<Rgba> shown(const Sheet& sheet, Rgba empty) {
+    const Grid<CanvasCell>& cells = sheet.picture.cells;
+    Grid<Rgba> pixels(cells.width(), cells.height());
+    if (sheet.ctx.state.look.hits) {
+        const Grid<std::uint8_t>& hits = sheet.ctx.derived.hits(sheet.picture.window);
+        std::transform(hits.data(), hits.data() + hits.size(), pixels.data(),
+                       [&](int count) { return shown_hits(sheet, count, empty); });
+    } else {
+        std::transform(cells.data(), cells.data() + cells.size(), pixels.data(),
+                       [&](const CanvasCell& cell) { return shown(sheet, cell, empty); });
+    }
+    return pixels;
 }
 
 /// A range of columns of one row, in the samples that the current shape visits.
@@ -94,11 +114,13 @@ void draw_lines(const Sheet& sheet, const Rect& view, ui::Color color) {
 
 /// Lines of a number in a pixel: its writes, its address and bytes, or its three channels.
 [[nodiscard]] std::string text_in(const Sheet& sheet, glm::ivec2 pixel, const CanvasCell& cell) {
-    if (sheet.ctx.state.look.hits)
-        return cell.writes_in_all > 0 ? fmt::format("{}", cell.writes_in_all) : std::string();
+    if (sheet.ctx.state.look.hits) {
+        const int hits = hits_at(sheet, pixel);
+        return hits > 0 ? fmt::format("{}", hits) : std::string();
+    }
     if (shows(sheet.ctx.state, "bytes"))
         return fmt::format("{}", address_of(sheet.ctx.derived.scene().framebuffer, pixel));
-    if (cell.writes == 0 || sheet.planes) return {};
+    if (!cell.written || sheet.planes) return {};
     return fmt::format("{}\n{}\n{}", cell.now.r, cell.now.g, cell.now.b);
 }
 
@@ -124,7 +146,8 @@ void draw_text_in(const Sheet& sheet, glm::ivec2 pixel, const CanvasCell& cell, 
     const ui::Area place = sheet.map.place_of(pixel);
     const float lead = std::round(ui.font(ui::Face::ruler).em * 1.15F);
     const auto lines = static_cast<float>(std::count(text.begin(), text.end(), '\n') + 1);
-    const Rgba fill = shown(sheet, cell, {0, 0, 0, 0});
+    const Rgba fill = sheet.ctx.state.look.hits ? shown_hits(sheet, hits_at(sheet, pixel), {0, 0, 0, 0})
+                                                : shown(sheet, cell, {0, 0, 0, 0});
     const ui::Color plain = ui.ground(), own = IM_COL32(fill.r, fill.g, fill.b, 255);
     ui.set_ground(ui::over(own, static_cast<float>(fill.a) / 255, ui.theme().canvas));
     float y = std::round(place.centre().y - lead * lines / 2);
@@ -156,9 +179,7 @@ void draw_picture(const Sheet& sheet) {
     if (cells.empty() || window.rect.empty()) return;
     const Rgb clear = sheet.ctx.derived.scene().framebuffer.clear;
     const Rgba empty = clear == Rgb{} || sheet.planes ? Rgba{0, 0, 0, 0} : rgba(clear, 1);
-    Grid<Rgba> pixels(cells.width(), cells.height());
-    std::transform(cells.data(), cells.data() + cells.size(), pixels.data(),
-                   [&](const CanvasCell& cell) { return shown(sheet, cell, empty); });
+    const Grid<Rgba> pixels = shown(sheet, empty);
     const ImTextureID id = sheet.ctx.textures.image(ui::id_of("canvas picture"), version_of(pixels), pixels);
     const ui::Area place = sheet.map.place_of(window.rect);
     // The last cell may stand for fewer pixels than the others.

@@ -102,7 +102,7 @@ void draw_signs(const Sheet& sheet, const ui::Area& place, const std::array<std:
     const Ring ring = ring_of(area);
     for (const glm::vec2 at : {area.centre(), ring[0], ring[1], ring[2], ring[3]}) {
         const CanvasCell* cell = sheet.cell(sheet.map.pixel_at(at));
-        if (cell != nullptr && cell->writes_in_all > 0) return true;
+        if (cell != nullptr && cell->will_be_written) return true;
     }
     for (std::size_t n = 0; n < corners.size(); ++n) {
         if (ui::clipped({sheet.place(corners[n]), sheet.place(corners[(n + 1) % corners.size()])}, ring)) return true;

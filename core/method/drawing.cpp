@@ -130,18 +130,21 @@ Fate Drawing::refusal(int shape) const {
     return Fate::written;
 }
 
-bool Drawing::touches(int shape, const Rect& rect) const {
-    if ((settings_.quirks & settings_.method->strays) != 0) return true;
+Rect Drawing::reach(int shape) const {
+    const Rect frame = scene_->framebuffer.rect();
+    if ((settings_.quirks & settings_.method->strays) != 0) return frame;
     float x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY;
     for (const Vertex& p : corners(shape)) {
         x0 = std::min(x0, p.x), x1 = std::max(x1, p.x);
         y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
     }
     // One pixel more on each side: methods as printed round outward, and coarse number formats move corners.
-    const auto after = [](float a, int b) { return static_cast<double>(a) + 1 >= b; };
-    const auto before = [](float a, int b) { return static_cast<double>(a) - 1 < b; };
-    return after(x1, rect.x0) && before(x0, rect.x1) && after(y1, rect.y0) && before(y0, rect.y1);
+    const auto within = [](double a, int low, int high) { return static_cast<int>(std::clamp<double>(a, low, high)); };
+    return {within(std::floor(x0) - 1, frame.x0, frame.x1), within(std::floor(y0) - 1, frame.y0, frame.y1),
+            within(std::floor(x1) + 2, frame.x0, frame.x1), within(std::floor(y1) + 2, frame.y0, frame.y1)};
 }
+
+bool Drawing::touches(int shape, const Rect& rect) const { return !intersection(reach(shape), rect).empty(); }
 
 Image render(const Drawing& drawing) {
     const Scene& scene = drawing.scene();
@@ -166,11 +169,12 @@ void each_sample(const Drawing& drawing, int first, int last, const Window& wind
     for (int n = first; n < last; ++n) run.shape(n, put);
 }
 
-LineCounts each_sample_until(const Drawing& drawing, const Path& path, const Window& window, const PutInShape& put) {
+LineCounts each_sample_until(const Drawing& drawing, int first, const Path& path, const Window& window,
+                             const PutInShape& put) {
     if (path.empty()) return {};
     WindowRun run(drawing, window);
     const int shape = static_cast<int>(std::clamp<Integer>(path.parts[0].index, 0, drawing.shape_count()));
-    for (int n = 0; n < shape; ++n) run.shape(n, put);
+    for (int n = first; n < shape; ++n) run.shape(n, put);
     return shape < drawing.shape_count() ? run.shape_until(shape, path, put) : LineCounts{};
 }
 

@@ -38,6 +38,8 @@ public:
     [[nodiscard]] Job job(int shape) const;
     /// Why the shape is not handed to the method at all, or `written`.
     [[nodiscard]] Fate refusal(int shape) const;
+    /// The part of the frame that the shape's samples may lie in.
+    [[nodiscard]] Rect reach(int shape) const;
     /// Whether any sample of the shape can lie in `rect`.
     [[nodiscard]] bool touches(int shape, const Rect& rect) const;
 
@@ -60,9 +62,10 @@ using PutInShape = std::function<void(int shape, const Sample&)>;
 /// all earlier shapes, so `first` is 0 where the scene has one).
 void each_sample(const Drawing& drawing, int first, int last, const Window& window, const PutInShape& put);
 
-/// The same for all shapes up to the one in `path`, and that one as far as the path's unit and no further.
+/// The same from shape `first` to the one in `path`, and that one as far as the path's unit and no further.
 /// @return  how often each line of the listing ran in the last shape.
-LineCounts each_sample_until(const Drawing& drawing, const Path& path, const Window& window, const PutInShape& put);
+LineCounts each_sample_until(const Drawing& drawing, int first, const Path& path, const Window& window,
+                             const PutInShape& put);
 
 /// One unit, recorded. A path whose shape does not exist is not found.
 [[nodiscard]] Visit visit(const Drawing& drawing, const Path& path);

@@ -31,6 +31,7 @@ constexpr Method kMethod{
     .quirks = kQuirks,
     .variants = kVariants,
     .render = run::render<EdgeEquations, kEdgeEquationsFields>,
+    .paint = run::paint<EdgeEquations, kEdgeEquationsFields>,
     .samples = run::samples<EdgeEquations, kEdgeEquationsFields>,
     .until = run::until<EdgeEquations, kEdgeEquationsFields>,
     .visit = visit_edge_equations,

@@ -79,8 +79,11 @@ struct EdgeEquations {
         s.light = trace("L", Input<T>::from(lightness, mode));
         s.half = Input<T>::from(quirk.corners ? 0.0F : 0.5F, mode);
         s.delta = trace("Δ", (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y));
-        if (s.delta == 0) return s.fate = trace.fate(Fate::zero_area), s;
-        if (cull_back && s.delta < 0) return s.fate = trace.fate(Fate::culled), s;
+        if (s.delta == 0)
+            s.fate = trace.fate(Fate::zero_area);
+        else if (cull_back && s.delta < 0)
+            s.fate = trace.fate(Fate::culled);
+        if (s.fate != Fate::written) return s;
 
         trace.stage("u plane");
         s.u = plane("u", p, p[0].u, p[1].u, p[2].u, s.delta);
@@ -146,7 +149,8 @@ struct EdgeEquations {
         Pixel p = cover(s, i, j);
         if (p.fate != Fate::written) return p;
         address(s, p);
-        return fetch(s, p), p;
+        fetch(s, p);
+        return p;
     }
 
     Pixel cover(const Setup& s, const Int& i, const Int& j) const {
@@ -157,7 +161,10 @@ struct EdgeEquations {
             const Side& side = s.side[e];
             p.E[e] = trace(Name::side("E", e), p.x * side.x + p.y * side.y + side.k);
             const Truth inside = trace(Name::side("in", e), p.E[e] < 0 || (p.E[e] == 0 && side.owns));
-            if (!inside) return p.fate = trace.fate(outside_edge(e)), p;
+            if (!inside) {
+                p.fate = trace.fate(outside_edge(e));
+                return p;
+            }
         }
         p.fate = trace.fate(Fate::written);
         return p;

@@ -10,6 +10,7 @@
 
 #include "core/geometry/vertex.h"
 #include "core/image/texture.h"
+#include "core/method/layer.h"
 #include "core/number/format.h"
 #include "core/number/real.h"
 #include "core/trace/fate.h"
@@ -68,6 +69,8 @@ struct Method {
 
     /// Draws into `picture` (its top left at job.frame's); the plain loop, nobody watching.
     Fate (*render)(NumberFormat, const Job&, Image& picture);
+    /// Adds the written samples of a part of the layer's window, under those of later shapes.
+    Fate (*paint)(NumberFormat, const Job&, const Window& part, int shape, Layer&);
     /// Every sample visited inside the window, rejected ones too, in drawing order.
     Fate (*samples)(NumberFormat, const Job&, const Window&, const Put&);
     /// The same as far as `target` and no further, counting how often each line ran.

@@ -40,9 +40,14 @@ auto with_type(NumberFormat format, auto&& f) {
 
 template <class Method>
 [[nodiscard]] Fate draw_into(Image& picture, const Job& job, const Method& method) {
-    return method.draw(job.corners, [&](Integer x, Integer y, const auto& pixel) {
+    // By value, as for all that the compiler knows a pixel's bytes may be anybody's; in 64 bits, as x and y are.
+    Rgb* const first = picture.data();
+    const Integer width = picture.width();
+    const Rect frame = job.frame;
+    return method.draw(job.corners, [=](Integer x, Integer y, const auto& pixel) {
         if (pixel.fate != Fate::written) return;
-        picture.at(static_cast<int>(x) - job.frame.x0, static_cast<int>(y) - job.frame.y0) = colour_of(pixel.texel);
+        TEXELSCOPE_ASSERT(frame.contains(x, y));
+        first[(y - frame.y0) * width + (x - frame.x0)] = colour_of(pixel.texel);
     });
 }
 /// All that a method calls becomes one function, or the calls would cost more than the arithmetic; and where there is
@@ -61,7 +66,8 @@ template <template <class, class> class M, auto fields>
 Fate render(NumberFormat format, const Job& job, Image& picture) {
     return with_type(format, [&](auto type) {
         using T = decltype(type);
-        if constexpr (std::same_as<T, Exact>)
+        // Flattening takes the compiler long, and only where the machine's own arithmetic is used is it worth it.
+        if constexpr (!std::floating_point<T>)
             return draw_into(picture, job, make<M, T>(job, fields, NoTrace{}));
         else
             return job.quirks == 0 && job.light == 1 ? draw_corrected<M, T>(job, picture)
@@ -88,6 +94,14 @@ Fate render(NumberFormat format, const Job& job, Image& picture) {
 /// The window whose loops are needed: all of the frame where a sample may come from a row elsewhere.
 [[nodiscard]] inline Window needed(const Window& window, const Job& job, QuirkSet strays) {
     return (job.quirks & strays) != 0 ? Window{job.frame, 1} : window;
+}
+
+template <template <class, class> class M, auto fields, QuirkSet strays = 0>
+Fate paint(NumberFormat format, const Job& job, const Window& part, int shape, Layer& layer) {
+    return with_type(format, [&](auto type) {
+        const auto method = make<M, decltype(type)>(job, fields, WindowTrace(needed(part, job, strays)));
+        return method.draw(job.corners, layer.put(shape, [](const auto& texel) { return colour_of(texel); }));
+    });
 }
 
 template <template <class, class> class M, auto fields, QuirkSet strays = 0>

@@ -28,6 +28,7 @@ constexpr Method kMethod{
     .quirks = kQuirks,
     .variants = kVariants,
     .render = run::render<Sections, kSectionsFields>,
+    .paint = run::paint<Sections, kSectionsFields, kStrays>,
     .samples = run::samples<Sections, kSectionsFields, kStrays>,
     .until = run::until<Sections, kSectionsFields, kStrays>,
     .visit = visit_sections,

@@ -65,8 +65,9 @@ struct Sections {
         if (cull_back && a < 0) return trace.fate(Fate::culled);
 
         std::vector<Section> drawn;
+        const T lowest = bottom(ring);
         Section s = first_section(ring);
-        for (std::size_t k = 1; k < ring.size() && plain(s.y_beg < bottom(ring)); ++k) {
+        for (std::size_t k = 1; k < ring.size() && plain(s.y_beg < lowest); ++k) {
             trace.stage("section");
             s = section(ring, s);
             if (quirk.ghost) drawn.push_back(s);

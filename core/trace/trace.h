@@ -82,6 +82,7 @@ struct NoTrace {
 struct Window {
     Rect rect;
     int stride = 1;  ///< samples x with (x - rect.x0) % stride == 0, y alike
+    friend bool operator==(const Window&, const Window&) = default;
 };
 
 /// Loops over y and x keep inside the window; the values that they compute there are the same.

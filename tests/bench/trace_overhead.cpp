@@ -52,11 +52,12 @@ void polygons_by_hand(const Shapes& shapes, const Rect& frame, const Texture& te
 }
 template <template <class, class> class M>
 [[gnu::flatten]] void inlined(const Shapes& shapes, const Rect& frame, const Texture& texture, Image& picture) {
+    const Integer width = picture.width();
+    Rgb* const first = picture.data();
     for (const auto& shape : shapes) {
         const M<double, NoTrace> method{frame, texture, 1, false, {}, {}, {}};
-        method.draw(shape, [&](Integer x, Integer y, const auto& pixel) {
-            if (pixel.fate == Fate::written)
-                picture.at(static_cast<int>(x), static_cast<int>(y)) = run::colour_of(pixel.texel);
+        method.draw(shape, [=, x0 = frame.x0, y0 = frame.y0](Integer x, Integer y, const auto& pixel) {
+            if (pixel.fate == Fate::written) first[(y - y0) * width + (x - x0)] = run::colour_of(pixel.texel);
         });
     }
 }

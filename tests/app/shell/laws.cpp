@@ -10,7 +10,7 @@ namespace {
     if (a.cells.size() != b.cells.size()) return false;
     for (std::size_t n = 0; n < a.cells.size(); ++n) {
         const CanvasCell &x = a.cells.data()[n], &y = b.cells.data()[n];
-        if (!(x.now == y.now && x.later == y.later && x.writes == y.writes && x.visited == y.visited)) return false;
+        if (!(x.now == y.now && x.later == y.later && x.written == y.written && x.visited == y.visited)) return false;
     }
     return true;
 }

@@ -1,0 +1,111 @@
+#include "core/method/layer.h"
+
+#include <algorithm>
+
+#include "core/method/drawing.h"
+
+namespace texelscope {
+namespace {
+
+constexpr int kTile = 32;  ///< cells each way
+
+/// The cells of a layer in squares, and which of these have cells that no shape has written so far.
+class Tiles {
+public:
+    explicit Tiles(const Layer& layer)
+        : layer_(layer), open_(in_tiles(layer.cells().width()), in_tiles(layer.cells().height())) {
+        for (int y = 0; y < open_.height(); ++y)
+            for (int x = 0; x < open_.width(); ++x) look_at(x, y);
+    }
+    [[nodiscard]] bool any_open() const { return open_count_ > 0; }
+
+    /// Calls draw(part of the window) for each open square that `pixels` meets.
+    void each_open(const Rect& pixels, auto&& draw) {
+        const Window& window = layer_.window();
+        const int side = kTile * window.stride;
+        const Rect met = intersection(pixels, window.rect);
+        if (met.empty()) return;
+        for (int y = (met.y0 - window.rect.y0) / side; y <= (met.y1 - 1 - window.rect.y0) / side; ++y) {
+            for (int x = (met.x0 - window.rect.x0) / side; x <= (met.x1 - 1 - window.rect.x0) / side; ++x) {
+                if (open_.at(x, y) == 0) continue;
+                const int x0 = window.rect.x0 + x * side, y0 = window.rect.y0 + y * side;
+                draw(Window{intersection({x0, y0, x0 + side, y0 + side}, window.rect), window.stride});
+                look_at(x, y);
+            }
+        }
+    }
+
+private:
+    [[nodiscard]] static int in_tiles(int cells) { return (cells + kTile - 1) / kTile; }
+    void look_at(int x, int y) {
+        const Grid<LayerCell>& cells = layer_.cells();
+        const int last_row = std::min((y + 1) * kTile, cells.height());
+        const int first = x * kTile, count = std::min(kTile, cells.width() - first);
+        bool open = false;
+        for (int row = y * kTile; row < last_row && !open; ++row) {
+            const LayerCell* const from = &cells.at(first, row);
+            open = std::any_of(from, from + count, [](const LayerCell& cell) { return cell.shape < 0; });
+        }
+        open_count_ += static_cast<int>(open) - open_.at(x, y);
+        open_.at(x, y) = open ? 1 : 0;
+    }
+
+    const Layer& layer_;
+    Grid<std::uint8_t> open_;
+    int open_count_ = 0;
+};
+
+/// The depth test needs the shapes in their order.
+void draw_forward(const Drawing& drawing, int last, Layer& layer) {
+    const auto itself = [](const Rgb& colour) { return colour; };
+    struct Pixel {
+        Fate fate;
+        Rgb texel;
+    };
+    each_sample(drawing, 0, last, layer.window(), [&](int shape, const Sample& s) {
+        layer.put(shape, itself)(s.x, s.y, Pixel{s.fate, s.colour});
+    });
+}
+
+}  // namespace
+
+Layer::Layer(const Window& window) : window_(window) {
+    const auto cells_of = [&](int pixels, std::int32_t scale, std::vector<std::int32_t>& cells) {
+        cells.assign(static_cast<std::size_t>(pixels), -1);
+        std::int32_t count = 0;
+        for (int n = 0; n < pixels; n += window.stride) cells[static_cast<std::size_t>(n)] = count++ * scale;
+        return count;
+    };
+    const int columns = cells_of(window.rect.width(), 1, column_);
+    cells_ = {columns, cells_of(window.rect.height(), columns, row_)};
+}
+
+Layer layer_of(const Drawing& drawing, int last, const Window& window, const Layer* more) {
+    Layer layer(window);
+    if (drawing.scene().depth == Depth::less) {
+        draw_forward(drawing, last, layer);
+        return layer;
+    }
+    // What no later shape wrote stands there already; a later one's cells are drawn again.
+    constexpr std::int32_t kBlank = 1 << 30;
+    if (more != nullptr) {
+        std::transform(more->cells().data(), more->cells().data() + more->cells().size(), layer.cells().data(),
+                       [&](const LayerCell& cell) {
+                           if (cell.shape >= last) return LayerCell{};
+                           return cell.shape < 0 ? LayerCell{{}, kBlank} : cell;
+                       });
+    }
+    Tiles tiles(layer);
+    const Method& method = *drawing.settings().method;
+    for (int n = last - 1; n >= 0 && tiles.any_open(); --n) {
+        if (drawing.refusal(n) != Fate::written) continue;
+        const Job job = drawing.job(n);
+        tiles.each_open(drawing.reach(n),
+                        [&](const Window& part) { method.paint(drawing.settings().format, job, part, n, layer); });
+    }
+    for (LayerCell* cell = layer.cells().data(); cell != layer.cells().data() + layer.cells().size(); ++cell)
+        if (cell->shape == kBlank) cell->shape = -1;
+    return layer;
+}
+
+}  // namespace texelscope

@@ -1,0 +1,55 @@
+// What shapes leave in a window of the picture: the last sample written to each cell, and whose it is. Shapes are
+// taken from the last to the first and only where nothing stands yet, so that what others hide costs nothing.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/image/image.h"
+#include "core/number/real.h"
+#include "core/trace/fate.h"
+#include "core/trace/trace.h"
+
+namespace texelscope {
+
+class Drawing;
+
+struct LayerCell {
+    Rgb colour{};
+    std::int32_t shape = -1;  ///< whose sample it is; -1 where none was written
+    friend bool operator==(const LayerCell&, const LayerCell&) = default;
+};
+
+class Layer {
+public:
+    Layer() = default;
+    explicit Layer(const Window& window);
+
+    [[nodiscard]] const Window& window() const { return window_; }
+    /// A cell for each sample of the window.
+    [[nodiscard]] const Grid<LayerCell>& cells() const { return cells_; }
+    [[nodiscard]] Grid<LayerCell>& cells() { return cells_; }
+
+    /// What a method puts its samples into: those of a later shape stay.
+    [[nodiscard]] auto put(std::int32_t shape, auto&& colour_of) {
+        return [cells = cells_.data(), column = column_.data(), row = row_.data(), rect = window_.rect, shape,
+                colour_of](Integer x, Integer y, const auto& pixel) {
+            if (pixel.fate != Fate::written || !rect.contains(x, y)) return;
+            const std::int32_t c = column[x - rect.x0], r = row[y - rect.y0];
+            if (c < 0 || r < 0) return;
+            LayerCell& cell = cells[r + c];
+            if (cell.shape <= shape) cell = {colour_of(pixel.texel), shape};
+        };
+    }
+
+private:
+    Window window_;
+    Grid<LayerCell> cells_;
+    std::vector<std::int32_t> column_, row_;  ///< of each pixel of the window: its cell, or -1 between samples
+};
+
+/// What shapes [0, last) leave in the window.
+/// @param more  the same window with more shapes, which saves drawing what these left there; or null.
+[[nodiscard]] Layer layer_of(const Drawing& drawing, int last, const Window& window, const Layer* more = nullptr);
+
+}  // namespace texelscope
