@@ -1,6 +1,9 @@
 // Gathers single events, as a window delivers them, into the ui::Input of a frame. Knows no window library.
+// A frame has one turn at most, a key or a button going down or up, and ends with it: what follows belongs to the next
+// frame, so that however slow a frame is, a press acts where and on what it was made.
 #pragma once
 
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -18,8 +21,10 @@ public:
 
     /// A key went down, or repeats itself, or went up. `code` is the physical key's number: a key that was pressed as
     /// one letter is let go as the same one, whatever the layout has become. `key` is ignored where it goes up.
+    /// Repeats of one key share a frame.
     void key_down(int code, ui::Key key, bool repeat);
     void key_up(int code);
+    /// Those of the events that follow.
     void modifiers(bool ctrl, bool shift, bool alt);
     /// @param index  0 left, 1 right, 2 middle; others are ignored.
     /// @param time   seconds, of the same clock as Input::time.
@@ -33,15 +38,19 @@ public:
     void paste(const std::string& text);
     void drop(std::string path);
 
-    /// The input since the last call.
+    /// The next frame's input.
     [[nodiscard]] ui::Input take(glm::vec2 size_px, double time);
+    /// Whether events are left for frames after the next.
+    [[nodiscard]] bool waiting() const { return frames_.size() > 1; }
 
 private:
     struct HeldKey {
         int code = 0;
         ui::Key key = ui::Key::none;
     };
-    ui::Input input_;
+    [[nodiscard]] ui::Input& open_frame();
+
+    std::deque<ui::Input> frames_{ui::Input{}};  ///< never empty; the last one is still open
     std::vector<HeldKey> held_;
     double last_press_time_ = -1e9;
     glm::vec2 last_press_{-1e9F};

@@ -136,6 +136,7 @@ private:
     void draw(glm::ivec2 size);
     void show_cursor();
     [[nodiscard]] bool held(int left, int right) const;
+    void set_modifiers(int mods);
 
     GLFWwindow* window_;
     const WindowCallbacks& callbacks_;
@@ -181,9 +182,10 @@ void GlfwHost::listen_to_mouse() {
         if (entered == GLFW_FALSE) of(w).events_.leave();
         of(w).touch();
     });
-    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int mods) {
         double x = 0, y = 0;
         glfwGetCursorPos(w, &x, &y);
+        of(w).set_modifiers(mods);
         of(w).events_.move(of(w).in_pixels(x, y));
         of(w).events_.button(button, action == GLFW_PRESS, glfwGetTime());
         of(w).touch();
@@ -211,11 +213,14 @@ void GlfwHost::listen_to_window() {
 void GlfwHost::on_key(int key, int scancode, int action, int mods) {
     touch();
     if (action == GLFW_RELEASE) return events_.key_up(scancode);
-    const bool ctrl = (mods & GLFW_MOD_CONTROL) != 0;
-    events_.modifiers(ctrl, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_ALT) != 0);
+    set_modifiers(mods);
     const ui::Key ours = key_from_glfw(key, glfwGetKeyName(key, scancode));
     events_.key_down(scancode, ours, action == GLFW_REPEAT);
-    if (ctrl && ours == ui::Key::v) events_.paste(clipboard());
+    if ((mods & GLFW_MOD_CONTROL) != 0 && ours == ui::Key::v) events_.paste(clipboard());
+}
+
+void GlfwHost::set_modifiers(int mods) {
+    events_.modifiers((mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_ALT) != 0);
 }
 
 glm::ivec2 GlfwHost::framebuffer() const {
@@ -278,7 +283,9 @@ void GlfwHost::close(int exit_code) {
     glfwSetWindowShouldClose(window_, GLFW_TRUE);
 }
 
-bool GlfwHost::frame_due(double now) const { return pending_ > 0 || now < animate_until_ || now >= wake_at_; }
+bool GlfwHost::frame_due(double now) const {
+    return pending_ > 0 || events_.waiting() || now < animate_until_ || now >= wake_at_;
+}
 
 /// Until something happens, a wished time has come, or the next frame is due.
 void GlfwHost::sleep() const {
@@ -303,8 +310,10 @@ void GlfwHost::draw(glm::ivec2 size) {
     last_frame_ = now;
     pending_ = std::max(pending_ - 1, 0);
     if (now >= wake_at_) wake_at_ = kNever;
-    events_.modifiers(held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
-                      held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT), held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT));
+    // A modifier may come or go while another window has the keys.
+    if (!events_.waiting())
+        events_.modifiers(held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
+                          held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT), held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT));
     if (session_.change_fonts() && fonts_shown_) {
         ImGui_ImplOpenGL3_DestroyFontsTexture();
         ImGui_ImplOpenGL3_CreateFontsTexture();
@@ -340,6 +349,7 @@ void GlfwHost::show_cursor() {
 }
 
 int GlfwHost::run() {
+    if (callbacks_.start) callbacks_.start(*this);
     while (glfwWindowShouldClose(window_) == GLFW_FALSE) {
         sleep();
         poll();

@@ -22,6 +22,8 @@ struct WindowCallbacks {
     std::function<void(const ui::Input&, Host&)> frame;
     /// Whether something outside has changed, such as a file; called only where Host::poll_every asks for it.
     std::function<bool()> poll = [] { return false; };
+    /// Called once, before the first frame.
+    std::function<void(Host&)> start = [](Host&) {};
 };
 
 /// Opens a window and runs until it is closed or Host::close is called. Returns the exit code, 0 for a closed window.

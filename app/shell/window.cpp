@@ -52,23 +52,22 @@ int open_window(const WindowRequest& request) {
     if (!state) return fail(state.error());
     std::unique_ptr<Shell> shell;
     std::optional<Error> broken;
-    const auto frame = [&](const ui::Input& input, Host& host) {
-        if (!shell && !broken) {
-            // Fonts are there from the next frame on, so this one only makes the shell.
-            std::vector<Error> faulty;
-            auto started = Shell::start(host, *state, built_in_lessons(faulty));
-            for (const Error& fault : faulty) warn(fault.text());
-            if (!started) {
-                broken = started.error();
-                return host.close(kExitBadInput);
-            }
+    const auto start = [&](Host& host) {
+        std::vector<Error> faulty;
+        auto started = Shell::start(host, *state, built_in_lessons(faulty));
+        for (const Error& fault : faulty) warn(fault.text());
+        if (started) {
             shell = *std::move(started);
-            return host.wants_frames_until(input.time + 0.1);
+            return;
         }
+        broken = started.error();
+        host.close(kExitBadInput);
+    };
+    const auto frame = [&](const ui::Input& input, Host&) {
         if (shell) shell->frame(input);
     };
     const auto poll = [&] { return shell && shell->poll(); };
-    const auto code = run_window({}, {frame, poll});
+    const auto code = run_window({}, {frame, poll, start});
     if (broken) return fail(*broken);
     return code ? *code : leave_picture(*state, code.error());
 }

@@ -4,6 +4,7 @@
 #include "app/lesson/questions.h"
 #include "app/state/lesson_cursor.h"
 #include "app/state/store.h"
+#include "core/geometry/polygon.h"
 
 namespace texelscope {
 namespace {
@@ -12,7 +13,19 @@ constexpr std::string_view kAtEnd = "This is the last step.", kAtStart = "This i
 constexpr std::string_view kNothing = "This scene draws nothing: there are no steps.";
 constexpr std::string_view kMoved = "That step is gone; this is the nearest one before it.";
 constexpr std::string_view kLastBeat = "The lesson ends here. L opens the list of lessons.";
+constexpr std::string_view kConvex = "This method takes convex polygons: the corner stays where it would still be one.";
 constexpr float kFarthest = 1e6F;  ///< a corner is kept within this of the origin [px]
+
+/// The step and the level that a lesson's beats up to this one ask for.
+[[nodiscard]] std::pair<Path, Level> step_asked(const State& state, int beat) {
+    std::pair<Path, Level> asked;
+    for (int n = 0; n <= beat && n < beat_count(state); ++n) {
+        const BeatSettings& set = state.document->lesson->beats[static_cast<std::size_t>(n)].set;
+        if (set.step) asked = {*set.step, level_of(*set.step)};
+        if (set.level) asked.second = *set.level;
+    }
+    return asked;
+}
 
 /// Applies one action to `next`; `derived` shows the state before until update() is called.
 class Reducer {
@@ -22,9 +35,11 @@ public:
     void operator()(const action::Open& a) { s_ = opened(a.document, s_); }
     void operator()(const action::Reload& a) {
         const Cursor cursor = s_.cursor;
+        const auto asked = step_asked(s_, cursor.beat);
         s_.document = a.document;
         if (!s_.document->lesson) return settle();
         go_to_beat(s_, std::min(cursor.beat, beat_count(s_) - 1), derived_);
+        if (step_asked(s_, cursor.beat) != asked) return;  // the writer moved it, and wants to see that
         s_.cursor.level = cursor.level;
         s_.cursor.step = cursor.step;
         settle(false);
@@ -98,6 +113,10 @@ public:
             value.u = x, value.v = y;
         else
             value.x = x, value.y = y;
+        if (!texture && bends_inwards(vertices, static_cast<std::size_t>(vertex), value)) {
+            s_.message = {std::string(kConvex)};
+            return;
+        }
         auto& edits = s_.work.edits;
         const auto place =
             std::lower_bound(edits.begin(), edits.end(), std::pair(polygon, vertex),
@@ -209,6 +228,13 @@ public:
     }
 
 private:
+    /// Whether a method that takes convex polygons would no longer be given one.
+    [[nodiscard]] bool bends_inwards(std::vector<Vertex> corners, std::size_t moved, const Vertex& to) const {
+        if (derived_.method().triangles || !std::all_of(corners.begin(), corners.end(), is_finite)) return false;
+        const bool was_convex = is_convex(corners);
+        corners[moved] = to;
+        return was_convex && !is_convex(corners);
+    }
     void end_reached(bool forward) {
         s_.playing = false;
         s_.message = {std::string(s_.cursor.step.empty() ? kNothing : forward ? kAtEnd : kAtStart)};

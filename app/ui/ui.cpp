@@ -35,6 +35,7 @@ Ui::Ui(UiMemory& memory, const Input& input, const Fonts& fonts, const Theme& th
     if (!input_.down[0] && !input_.released[0]) memory_.active = 0;
     find_hot();
     if (input_.pressed[0]) {
+        ++memory_.presses;
         memory_.active = memory_.hot;
         memory_.press = input_.mouse;
         // A click leaves the arrow keys and Space to stepping and playing; only a field wants keys at once.

@@ -25,6 +25,7 @@ struct UiMemory {
     bool ring = false;                  ///< the focus came by keys and is drawn
     bool focus_moved = false;           ///< in this frame: regions scroll to it
     glm::vec2 press{0}, mouse{0};       ///< where `active` was pressed; the mouse in the frame before
+    int presses = 0;                    ///< of the left button so far: a number for each drag
     double hot_since = 0;               ///< [s]
     std::vector<ControlRecord> controls;
     Id field = 0;            ///< being edited, with its text and the caret's byte

@@ -109,8 +109,7 @@ void draw_corner(Sheet& sheet, const Corner& corner, bool may_move) {
             {.name = name, .area = area, .kind = ui::Kind::handle, .label = label, .tip = tip, .round = true});
         if (c.pressed) ui.set_focus(0, false);
         if (c.dragging)
-            move_corner(sheet.ctx, corner.handle, dragged_to(sheet.map, ui.input().mouse, ui.input().shift),
-                        gesture_of(ui));
+            move_corner(sheet.ctx, corner.handle, dragged_to(sheet.map, ui.input().mouse, ui.input().shift));
         else if (c.clicked)
             sheet.ctx.act(action::ChooseHandle{bright ? Handle{} : corner.handle});
         if (c.focused) move_by_keys(sheet.ctx, c.id, corner.handle);

@@ -97,7 +97,7 @@ void draw_corner(const ViewContext& ctx, const TexelMap& map, const Vertex& vert
             const glm::vec2 low(map.at), high = map.to_window({map.range.x1, map.range.y1});
             const glm::dvec2 uv = map.to_texel(glm::clamp(ui.input().mouse, low, high));
             const glm::dvec2 to = ui.input().shift ? glm::floor(uv) + 0.5 : glm::floor(uv * kSteps + 0.5) / kSteps;
-            move_corner(ctx, handle, to, gesture_of(ui));
+            move_corner(ctx, handle, to);
         } else if (c.clicked) {
             ctx.act(action::ChooseHandle{bright ? Handle{} : handle});
         }

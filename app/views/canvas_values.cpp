@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "app/state/lesson_cursor.h"
-#include "core/geometry/polygon.h"
 
 namespace texelscope::canvas {
 
@@ -70,28 +68,9 @@ std::string_view stage_name(const Derived& derived) {
     return index < visit.stages.size() ? std::string_view(visit.stages[index].name) : std::string_view{};
 }
 
-int gesture_of(ui::Ui& ui) {
-    // The place and the time of the press are the same for the whole drag, and differ from the drag before.
-    const ui::UiMemory& memory = ui.memory();
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, &memory.hot_since, sizeof bits);
-    bits ^= memory.active + static_cast<std::uint64_t>(std::lround(memory.press.x)) * 0x9E3779B97F4A7C15ULL;
-    bits ^= static_cast<std::uint64_t>(std::lround(memory.press.y)) * 0xC2B2AE3D27D4EB4FULL;
-    bits ^= bits >> 32U;
-    return static_cast<int>(bits & 0x3FFFFFFFU) + 1;
-}
-
-void move_corner(const ViewContext& ctx, const Handle& handle, glm::vec2 to, int gesture) {
-    if (to == position_of(ctx.derived.scene(), handle)) return;
-    const auto& polygons = ctx.derived.scene().polygons;
-    if (!handle.texture && !ctx.derived.method().triangles) {
-        std::vector<Vertex> corners = polygons[static_cast<std::size_t>(handle.polygon)].vertices;
-        const bool was_convex = std::all_of(corners.begin(), corners.end(), is_finite) && is_convex(corners);
-        corners[static_cast<std::size_t>(handle.vertex)].x = to.x;
-        corners[static_cast<std::size_t>(handle.vertex)].y = to.y;
-        if (was_convex && !is_convex(corners)) return;
-    }
-    ctx.act(action::MoveVertex{handle, to, gesture});
+void move_corner(const ViewContext& ctx, const Handle& handle, glm::vec2 to) {
+    if (to != position_of(ctx.derived.scene(), handle))
+        ctx.act(action::MoveVertex{handle, to, ctx.ui.memory().presses});
 }
 
 void move_by_keys(const ViewContext& ctx, ui::Id control, const Handle& handle) {
@@ -109,7 +88,7 @@ void move_by_keys(const ViewContext& ctx, ui::Id control, const Handle& handle) 
         while (ctx.ui.take_key(control, arrow.key, &press))
             to += arrow.way * (press.ctrl ? 8.0F : press.shift ? 1.0F / 16 : 1.0F);
     }
-    move_corner(ctx, handle, to, 0);
+    if (to != position_of(ctx.derived.scene(), handle)) ctx.act(action::MoveVertex{handle, to});
 }
 
 void tell_hover(const ViewContext& ctx, const ui::Area& area, bool hovered, const Selection& what) {

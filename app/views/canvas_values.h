@@ -31,10 +31,8 @@ struct Pointing {
 /// The name of the cursor's stage; empty where it has none.
 [[nodiscard]] std::string_view stage_name(const Derived& derived);
 
-/// One number for the moves of one drag, so that they are one entry to undo.
-[[nodiscard]] int gesture_of(ui::Ui& ui);
-/// Moves a corner; one that would bend a polygon inwards stays, where the method takes polygons.
-void move_corner(const ViewContext& ctx, const Handle& handle, glm::vec2 to, int gesture);
+/// Moves a corner, as one entry to undo for each drag.
+void move_corner(const ViewContext& ctx, const Handle& handle, glm::vec2 to);
 /// Arrow keys while a corner has the focus: 1, with Shift 1/16, with Ctrl 8.
 void move_by_keys(const ViewContext& ctx, ui::Id control, const Handle& handle);
 

@@ -95,22 +95,14 @@ constexpr float kFineStep = 1.0F / 64, kCoarseStep = 1.0F / 2;
     return tape.operations[static_cast<std::size_t>(tape.names[static_cast<std::size_t>(named)].operation)];
 }
 
-/// A number that tells this press of the mouse from others, so that one drag is one entry of the history.
-[[nodiscard]] int gesture_of(ui::Ui& ui, const ui::Control& control) {
-    ui::UiMemory::Fade& press = ui.memory().fades[ui::id_of("terms/press")];
-    if (control.pressed) press.time = ui.input().time;
-    return static_cast<int>(std::fmod(press.time * 1000, 1e9)) + 1;
-}
-
 void drag(const ViewContext& context, const ui::Control& control, const Handle& handle, bool along_x) {
     const ui::Input& input = context.ui.input();
     const float step = input.shift ? kFineStep : input.ctrl ? kCoarseStep : kDragStep;
-    const int gesture = gesture_of(context.ui, control);
     const float moved = std::round(control.drag.x) * step;
     if (!control.dragging || moved == 0) return;
     glm::vec2 to = position_of(context.derived.scene(), handle);
     (along_x ? to.x : to.y) += moved;
-    context.act(action::MoveVertex{handle, to, gesture});
+    context.act(action::MoveVertex{handle, to, context.ui.memory().presses});
 }
 
 }  // namespace
@@ -183,7 +175,7 @@ void draw_terms(const ViewContext& context, std::string_view name, const Tape& t
         const auto handle = handle_of(context.derived.drawing(), shape, tape, named);
         std::string tip = tip_of(tape, named);
         if (handle) tip += ". " + std::string(kDragHint);
-        const ui::Area area = box.links[n].area.moved(pen.x, pen.y), plate = area.inset(-ui.px(2), -ui.px(2));
+        const ui::Area area = box.links[n].area.moved(pen.x, pen.y), plate = area.inset(-ui.px(4), -ui.px(4));
         const ui::Control control = ui.control({full, area, ui::Kind::link, text, tip});
         const bool dragged = control.dragging && handle;
         if (handle && control.held) drag(context, control, *handle, text[0] == 'x' || text[0] == 'u');
