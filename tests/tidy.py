@@ -10,6 +10,7 @@ import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
+GCC_ONLY = {"-Wno-restrict", "-Wno-stringop-overflow", "-Wno-array-bounds", "-fpch-preprocess", "-Winvalid-pch"}
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
@@ -20,8 +21,10 @@ def commands(build):
         file = pathlib.Path(entry["file"])
         if file.parts[: len(ROOT.parts)] != ROOT.parts or file.relative_to(ROOT).parts[0] not in ("core", "app"):
             continue
-        words = [w for w in shlex.split(entry["command"]) if not w.endswith("ccache") and w != "-Wno-restrict"]
+        words = [w for w in shlex.split(entry["command"]) if not w.endswith("ccache") and w not in GCC_ONLY]
         words[0] = "clang++"
+        while "-include" in words:  # the precompiled header, which is gcc's; each file includes what it uses
+            del words[words.index("-include") : words.index("-include") + 2]
         kept.append({"directory": entry["directory"], "file": str(file), "arguments": words})
     return kept
 

@@ -5,9 +5,11 @@
 #include <span>
 #include <string_view>
 
-#include <CLI/CLI.hpp>
-
 #include "core/base/result.h"
+
+namespace CLI {
+class App;
+}
 
 namespace texelscope {
 

@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "core/base/result.h"
 #include "core/method/drawing.h"
+
+namespace CLI {
+class App;
+}
 
 namespace texelscope {
 

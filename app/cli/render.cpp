@@ -4,6 +4,8 @@
 #include <memory>
 #include <string>
 
+#include <CLI/CLI.hpp>
+
 #include "app/cli/command.h"
 #include "app/cli/draw_options.h"
 #include "app/cli/json_line.h"
