@@ -6,7 +6,7 @@
 namespace texelscope {
 namespace {
 
-constexpr std::array<QuirkInfo, 7> kQuirks{{
+constexpr std::array<QuirkInfo, 8> kQuirks{{
     {"Q1", "inclusive", "both own the side",
      "A sample is taken where E ≤ 0, so both triangles draw the samples of a shared side."},
     {"Q2", "one_winding", "one winding only",
@@ -18,7 +18,9 @@ constexpr std::array<QuirkInfo, 7> kQuirks{{
     {"Q5", "wrap_light", "light wraps", "A light above 1 is stored modulo 256, so that bright texels turn dark."},
     {"Q6", "corners", "samples at corners", "Pixel (i, j) is sampled at its corner (i, j), not at its centre."},
     {"arrays", "arrays", "array passes",
-     "Four passes over arrays, as the source has them, in place of one loop over pixels.", true},
+     "Four passes over arrays, as the source has them, in place of one loop over pixels.", QuirkKind::form},
+    {"exclusive", "exclusive", "nobody owns the side",
+     "A sample is taken where E < 0, so the samples of a shared side belong to neither triangle.", QuirkKind::other},
 }};
 constexpr std::array<VariantInfo, 2> kVariants{{{"as-printed", 0b0111111}, {"corrected", 0}}};
 

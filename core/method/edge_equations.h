@@ -15,7 +15,8 @@ namespace texelscope {
 struct EdgeEquationsQuirks {
     bool inclusive = false, one_winding = false, truncate = false, trunc_box = false, wrap_light = false;
     bool corners = false;
-    bool arrays = false;  ///< not a fault: four passes over arrays, as the source has them, in place of one loop
+    bool arrays = false;     ///< not a fault: four passes over arrays, as the source has them, in place of one loop
+    bool exclusive = false;  ///< not in the source: the other careless rule
 };
 
 template <Real T, Traceable Trace>
@@ -81,6 +82,8 @@ struct EdgeEquations {
         s.delta = trace("Δ", (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y));
         if (s.delta == 0)
             s.fate = trace.fate(Fate::zero_area);
+        else if (plain(s.delta != s.delta))
+            s.fate = trace.fate(Fate::undefined);
         else if (cull_back && s.delta < 0)
             s.fate = trace.fate(Fate::culled);
         if (s.fate != Fate::written) return s;
@@ -127,8 +130,13 @@ struct EdgeEquations {
             y = trace(Name::side("n_y", e), -y);
             k = trace(Name::side("k", e), -k);
         }
-        const Truth owns = trace(Name::side("owns", e), quirk.inclusive ? Truth(true) : x < 0 || (x == 0 && y < 0));
-        return {x, y, k, owns};
+        return {x, y, k, trace(Name::side("owns", e), owns_samples(x, y))};
+    }
+    /// The top-left rule: a left side owns the samples on it, and so does a level one with the inside below it.
+    Truth owns_samples(const T& x, const T& y) const {
+        if (quirk.inclusive) return Truth(true);  // Q1
+        if (quirk.exclusive) return Truth(false);
+        return x < 0 || (x == 0 && y < 0);
     }
 
     Box bounds(const Corners& p) const {

@@ -39,4 +39,21 @@ QuirkSet quirks_of(const Method& method, std::string_view variant) {
     return found != nullptr ? found->quirks : method.variants.back().quirks;
 }
 
+int guilty_line(const Listing& listing, const QuirkInfo& quirk) {
+    const std::string mark = "// " + std::string(quirk.id);
+    for (std::size_t n = 0; n < listing.lines.size(); ++n) {
+        const std::string& line = listing.lines[n];
+        if (line.size() > mark.size() && line.compare(line.size() - mark.size(), mark.size(), mark) == 0)
+            return static_cast<int>(n) + 1;
+    }
+    return line_with(listing, "quirk." + std::string(quirk.field));
+}
+
+int find_line(const Method& method, const Listing& listing, std::string_view text) {
+    const auto meant = std::find_if(method.quirks.begin(), method.quirks.end(), [&](const QuirkInfo& quirk) {
+        return text == "quirk." + std::string(quirk.field);
+    });
+    return meant != method.quirks.end() ? guilty_line(listing, *meant) : line_with(listing, text);
+}
+
 }  // namespace texelscope

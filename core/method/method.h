@@ -14,19 +14,26 @@
 #include "core/number/format.h"
 #include "core/number/real.h"
 #include "core/trace/fate.h"
+#include "core/trace/listing.h"
 #include "core/trace/partial.h"
 #include "core/trace/recording.h"
 #include "core/trace/trace.h"
 
 namespace texelscope {
 
-/// A named departure of the source from what it meant, or (kind form) another shape of the same loops.
+enum class QuirkKind : std::uint8_t {
+    printed,  ///< the source has it, and so has the variant as printed
+    form,     ///< no fault: the same samples in another order of loops
+    other,    ///< another choice that one may want to see
+};
+
+/// A named departure from the corrected method.
 struct QuirkInfo {
     std::string_view id;        ///< "Q1" … as methods number them, or a word for a form
-    std::string_view field;     ///< `quirk.field` in the source: its first use is the guilty line
+    std::string_view field;     ///< `quirk.field` in the source
     std::string_view title;     ///< a few words for a switch
     std::string_view sentence;  ///< what it does
-    bool form = false;          ///< no fault: the same samples in another order of loops
+    QuirkKind kind = QuirkKind::printed;
 };
 
 /// Bit n is quirk n of the method's list.
@@ -86,6 +93,13 @@ struct Method {
 [[nodiscard]] const VariantInfo* find_variant(const Method& method, std::string_view id);
 /// The variant's quirks; those of the corrected one where it is unknown.
 [[nodiscard]] QuirkSet quirks_of(const Method& method, std::string_view variant);
+
+/// The line of the method's listing that causes the quirk: where `// Q1`, its id, stands at the end, else the first
+/// line that asks for it. 0 where none does.
+[[nodiscard]] int guilty_line(const Listing& listing, const QuirkInfo& quirk);
+/// The line that a lesson or a person means: "quirk.FIELD" alone is that quirk's guilty line, other text stands where
+/// it is found first. 0 where nowhere.
+[[nodiscard]] int find_line(const Method& method, const Listing& listing, std::string_view text);
 
 struct RegisterMethod {
     explicit RegisterMethod(const Method& method);

@@ -91,34 +91,28 @@ Fate render(NumberFormat format, const Job& job, Image& picture) {
     };
 }
 
-/// The window whose loops are needed: all of the frame where a sample may come from a row elsewhere.
-[[nodiscard]] inline Window needed(const Window& window, const Job& job, QuirkSet strays) {
-    return (job.quirks & strays) != 0 ? Window{job.frame, 1} : window;
-}
-
-template <template <class, class> class M, auto fields, QuirkSet strays = 0>
+template <template <class, class> class M, auto fields>
 Fate paint(NumberFormat format, const Job& job, const Window& part, int shape, Layer& layer) {
     return with_type(format, [&](auto type) {
-        const auto method = make<M, decltype(type)>(job, fields, WindowTrace(needed(part, job, strays)));
+        const auto method = make<M, decltype(type)>(job, fields, WindowTrace(part));
         return method.draw(job.corners, layer.put(shape, [](const auto& texel) { return colour_of(texel); }));
     });
 }
 
-template <template <class, class> class M, auto fields, QuirkSet strays = 0>
+template <template <class, class> class M, auto fields>
 Fate samples(NumberFormat format, const Job& job, const Window& window, const Put& put) {
     return with_type(format, [&](auto type) {
-        const auto method = make<M, decltype(type)>(job, fields, WindowTrace(needed(window, job, strays)));
+        const auto method = make<M, decltype(type)>(job, fields, WindowTrace(window));
         return method.draw(job.corners, put_inside(window, put));
     });
 }
 
-template <template <class, class> class M, auto fields, QuirkSet strays = 0>
+template <template <class, class> class M, auto fields>
 LineCounts until(NumberFormat format, const Job& job, const Window& window, const Path& target, const Put& put) {
     Progress progress;
     progress.target = target.unit();
     with_type(format, [&](auto type) {
-        const auto method =
-            make<M, decltype(type)>(job, fields, PartialTrace{WindowTrace(needed(window, job, strays)), &progress});
+        const auto method = make<M, decltype(type)>(job, fields, PartialTrace{WindowTrace(window), &progress});
         return method.draw(job.corners, put_inside(window, put));
     });
     return std::move(progress.counts);

@@ -16,21 +16,19 @@ constexpr std::array<QuirkInfo, 3> kQuirks{{
 }};
 constexpr std::array<VariantInfo, 2> kVariants{{{"as-printed", 0b111}, {"corrected", 0}}};
 
-constexpr QuirkSet kStrays = 0b001;
-
 constexpr Method kMethod{
     .id = "sections",
     .title = "Sections",
     .source = "S2",
     .listing = "core/method/sections.h",
     .triangles = false,
-    .strays = kStrays,
+    .strays = 0b001,
     .quirks = kQuirks,
     .variants = kVariants,
     .render = run::render<Sections, kSectionsFields>,
-    .paint = run::paint<Sections, kSectionsFields, kStrays>,
-    .samples = run::samples<Sections, kSectionsFields, kStrays>,
-    .until = run::until<Sections, kSectionsFields, kStrays>,
+    .paint = run::paint<Sections, kSectionsFields>,
+    .samples = run::samples<Sections, kSectionsFields>,
+    .until = run::until<Sections, kSectionsFields>,
     .visit = visit_sections,
 };
 const RegisterMethod kRegistered(kMethod);

@@ -150,7 +150,7 @@ struct Sections {
     void draw_row(const Ring& ring, const Section& s, const std::vector<Section>& drawn, const Int& j,
                   auto&& put) const {
         const Row row = span(ring, s, j);
-        if (quirk.ghost && row.count == 1) {
+        if (quirk.ghost && row.count == 1) {  // Q1
             const auto [x, y, p] = ghost(ring, drawn, j);
             trace("x", x);
             trace("y", y);

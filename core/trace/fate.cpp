@@ -5,9 +5,9 @@ namespace texelscope {
 std::string_view text_of(Fate fate) {
     switch (fate) {
         case Fate::written: return "written";
-        case Fate::outside_edge_a: return "outside edge A";
-        case Fate::outside_edge_b: return "outside edge B";
-        case Fate::outside_edge_c: return "outside edge C";
+        case Fate::outside_edge_a: return "outside A";
+        case Fate::outside_edge_b: return "outside B";
+        case Fate::outside_edge_c: return "outside C";
         case Fate::outside_box: return "outside the box";
         case Fate::depth_failed: return "hidden";
         case Fate::zero_area: return "zero area";

@@ -21,7 +21,7 @@ enum class Fate : std::uint8_t {
     undefined,       ///< a result has no value: NaN, or x / 0
 };
 
-/// "written", "outside edge A", …: one string for the screen, `trace` and the tests.
+/// "written", "outside A", …: one string for the screen, `trace` and the tests.
 [[nodiscard]] std::string_view text_of(Fate fate);
 
 [[nodiscard]] constexpr Fate outside_edge(int side) noexcept {

@@ -25,7 +25,9 @@ struct Listing {
 [[nodiscard]] Listing load_listing(std::string_view path);
 /// The first line, from 1, on which `text` stands; 0 where there is none.
 [[nodiscard]] int line_with(const Listing& listing, std::string_view text);
-/// A line with each trace("name", value) folded to its value: plain mathematics.
-[[nodiscard]] std::string without_trace(std::string_view line);
+/// Source text with each trace("name", value) folded to its value: plain mathematics. A statement that only names a
+/// value, or assigns it to itself, becomes name = value; trace("x", x) stays. Lines remain lines.
+[[nodiscard]] std::string without_trace(std::string_view source);
+[[nodiscard]] Listing without_trace(const Listing& listing);
 
 }  // namespace texelscope

@@ -35,7 +35,8 @@ struct Case {
 /// The quirks that are forms: other loops over the same samples.
 [[nodiscard]] inline QuirkSet forms_of(const Method& method) {
     QuirkSet forms = 0;
-    for (std::size_t n = 0; n < method.quirks.size(); ++n) forms |= method.quirks[n].form ? QuirkSet{1} << n : 0;
+    for (std::size_t n = 0; n < method.quirks.size(); ++n)
+        forms |= method.quirks[n].kind == QuirkKind::form ? QuirkSet{1} << n : 0;
     return forms;
 }
 

@@ -30,7 +30,7 @@ TEST(Quirks, EachAloneChangesAPixelOfSomeScene) {
     const std::vector<Named> tried = scenes();
     for (const Method* method : methods()) {
         for (std::size_t n = 0; n < method->quirks.size(); ++n) {
-            if (method->quirks[n].form) continue;
+            if (method->quirks[n].kind == QuirkKind::form) continue;
             const DrawSettings with = laws::settings_of(*method, NumberFormat::f64, QuirkSet{1} << n);
             const auto found = std::find_if(tried.begin(), tried.end(), [&](const Named& scene) {
                 return differ(scene.scene, with, laws::settings_of(*method, NumberFormat::f64, 0));
@@ -44,7 +44,8 @@ TEST(Quirks, EachAloneChangesAPixelOfSomeScene) {
 TEST(Quirks, NoneIsTheCorrectedVariantAndAllAreWhatWasPrinted) {
     for (const Method* method : methods()) {
         QuirkSet faults = 0;
-        for (std::size_t n = 0; n < method->quirks.size(); ++n) faults |= method->quirks[n].form ? 0 : QuirkSet{1} << n;
+        for (std::size_t n = 0; n < method->quirks.size(); ++n)
+            faults |= method->quirks[n].kind == QuirkKind::printed ? QuirkSet{1} << n : 0;
         ASSERT_FALSE(method->variants.empty()) << method->id;
         EXPECT_EQ(method->variants.back().id, "corrected") << method->id;
         EXPECT_EQ(quirks_of(*method, "corrected"), 0U) << method->id;
@@ -85,7 +86,7 @@ TEST(Quirks, EachHasItsLineInTheListing) {
         const Listing listing = load_listing(method->listing);
         ASSERT_FALSE(listing.lines.empty()) << method->id << ": no listing " << method->listing;
         for (const QuirkInfo& quirk : method->quirks) {
-            EXPECT_GT(line_with(listing, "quirk." + std::string(quirk.field)), 0) << method->id << ": " << quirk.field;
+            EXPECT_GT(guilty_line(listing, quirk), 0) << method->id << ": " << quirk.field;
             EXPECT_FALSE(quirk.title.empty() || quirk.sentence.empty() || quirk.id.empty())
                 << method->id << ": " << quirk.field;
         }
