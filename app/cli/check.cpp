@@ -1,6 +1,8 @@
 // `texelscope check`: whether every step, view, prediction and link of a lesson works.
 #include <cstdio>
 
+#include <CLI/CLI.hpp>
+
 #include "app/cli/command.h"
 #include "app/shell/check.h"
 

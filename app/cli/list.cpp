@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
 #include "app/cli/json_line.h"
@@ -83,7 +84,7 @@ Entries quirks() {
     for (const Method* method : methods()) {
         const Listing listing = load_listing(method->listing);
         for (const QuirkInfo& quirk : method->quirks) {
-            const int line = line_with(listing, fmt::format("quirk.{}", quirk.field));
+            const int line = guilty_line(listing, quirk);
             Entry e{
                 {std::string(method->id), std::string(quirk.id), std::string(quirk.field), std::string(quirk.sentence)},
                 {}};
@@ -91,7 +92,7 @@ Entries quirks() {
                 .text("id", quirk.id)
                 .text("field", quirk.field)
                 .text("title", quirk.title);
-            e.json.text("sentence", quirk.sentence).raw("form", quirk.form ? "true" : "false");
+            e.json.text("sentence", quirk.sentence).raw("form", quirk.kind == QuirkKind::form ? "true" : "false");
             if (line > 0) {
                 const std::string& code = listing.lines[static_cast<std::size_t>(line) - 1];
                 const std::string trimmed = code.substr(std::min(code.find_first_not_of(' '), code.size()));

@@ -1,8 +1,13 @@
 // `texelscope shot`: the whole window as a picture, needing neither display nor GPU.
 #include <cstdio>
+#include <optional>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
 #include "app/shell/headless.h"
+#include "app/state/lesson_cursor.h"
 #include "core/base/file.h"
 #include "core/image/load.h"
 
@@ -14,6 +19,7 @@ constexpr int kSmallest = 320, kLargest = 8192;  ///< a side of the window [px]
 struct ShotOptions {
     std::string target, size = "1280x720", theme = "dark", step, overlay, output;
     float scale = 1;
+    std::optional<int> beat;  ///< counted from 1
     bool present = false;
 };
 
@@ -28,6 +34,15 @@ Result<glm::vec2> size_from(const std::string& text) {
     return glm::vec2(static_cast<float>(width), static_cast<float>(height));
 }
 
+/// Goes to a beat as PgDn does.
+std::optional<Error> go_to_beat(Store& store, int beat) {
+    const int beats = beat_count(store.state());
+    if (beats == 0) return Error{"--beat", fmt::format("{}, but a scene has no beats, expected a lesson", beat)};
+    if (beat < 1 || beat > beats) return Error{"--beat", fmt::format("{}, expected 1 to {}", beat, beats)};
+    store.dispatch(action::Advance{beat - 1 - store.state().cursor.beat});
+    return std::nullopt;
+}
+
 int shoot(const ShotOptions& options) {
     const auto size = size_from(options.size);
     if (!size) return fail(size.error());
@@ -40,6 +55,9 @@ int shoot(const ShotOptions& options) {
     if (!state) return fail(state.error());
     auto app = Headless::start(*std::move(state), *size);
     if (!app) return fail(app.error());
+    if (options.beat) {
+        if (const auto error = go_to_beat((*app)->store(), *options.beat)) return fail(*error);
+    }
     if (!options.step.empty()) {
         const auto path = parse_path(options.step);
         if (!path) return fail({"--step", "'" + options.step + "' is no step, expected one such as t0/s5/y11/x7/e2"});
@@ -61,7 +79,8 @@ std::function<int()> define(CLI::App& app) {
     app.add_option("--size", options->size, "Of the window [px]")->capture_default_str();
     app.add_option("--scale", options->scale, "Of text")->check(CLI::Range(1.0, 2.5))->capture_default_str();
     app.add_option("--theme", options->theme)->check(CLI::IsMember({"dark", "light"}))->capture_default_str();
-    app.add_option("--step", options->step, "Go to this step first, such as t0/s5/y11/x7");
+    app.add_option("--beat", options->beat, "Go to this beat of the lesson first, counted from 1")->type_name("N");
+    app.add_option("--step", options->step, "Go to this step first (after --beat), such as t0/s5/y11/x7");
     app.add_option("--show", options->overlay, "Open this panel")->check(CLI::IsMember({"lessons", "keys"}));
     app.add_flag("--present", options->present, "As for a projector");
     app.add_option("-o,--output", options->output, "The PNG file")->required();

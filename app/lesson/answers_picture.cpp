@@ -145,8 +145,8 @@ Accepted texel_of(const Asked& asked) {
         if (const auto step = pixel_step(asked.steps, shape, x, y)) a.step = *step;
         if (sample.fate != Fate::written) continue;
         a.places = {{sample.column, sample.row}};
-        a.sentence = fmt::format("$u \\approx {:.2f}$ and $v \\approx {:.2f}$: column {}, row {}.", sample.u, sample.v,
-                                 sample.column, sample.row);
+        a.sentence = fmt::format("${}$ and ${}$: column {}, row {}.", equation("u", sample.u, 2),
+                                 equation("v", sample.v, 2), sample.column, sample.row);
     }
     return a;
 }

@@ -42,7 +42,7 @@ Accepted value(const Asked& asked) {
     a.number = approximate(*value);
     a.tolerance = whole ? 0 : kTwoDecimals;
     a.sentence = whole ? fmt::format("${} = {}$ there.", name, *a.number)
-                       : fmt::format("${} \\approx {:.4f}$ there.", name, *a.number);
+                       : fmt::format("${}$ there.", equation(name, *a.number, 4));
     return a;
 }
 

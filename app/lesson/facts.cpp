@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace texelscope {
 namespace {
 
@@ -10,6 +12,14 @@ namespace {
 
 [[nodiscard]] bool loops_over(const Unit& unit, char letter, Integer index) {
     return unit.loop && unit.loop->letter == letter && unit.loop->contains(index);
+}
+
+constexpr int kAllDigits = 15;  ///< that every double has
+
+/// "e0 to e14".
+[[nodiscard]] std::string range(char letter, Integer first, Integer last) {
+    return first == last ? fmt::format("only {}{}", letter, first)
+                         : fmt::format("{}{} to {}{}", letter, first, letter, last);
 }
 
 }  // namespace
@@ -84,6 +94,33 @@ bool same_value(const std::optional<Value>& a, const std::optional<Value>& b) {
     const double x = approximate(*a), y = approximate(*b);
     if (std::isnan(x) || std::isnan(y)) return std::isnan(x) && std::isnan(y);
     return x == 0 ? y == 0 : full_text(*a) == full_text(*b);
+}
+
+std::string equation(std::string_view name, double value, int decimals) {
+    const double scaled = std::ldexp(value, decimals);  // n decimals say all of a number just if n bits do
+    if (scaled == std::floor(scaled)) return fmt::format("{} = {:.{}g}", name, value, kAllDigits);
+    return fmt::format("{} \\approx {:.{}f}", name, value, decimals);
+}
+
+std::optional<std::string> missing_part(Steps& steps, const Path& path) {
+    if (path.empty()) return std::nullopt;
+    const int shapes = steps.drawing().shape_count();
+    if (shapes == 0) return "the scene has no shape";
+    if (path.parts[0].index < 0 || path.parts[0].index >= shapes) return "the scene has " + range('t', 0, shapes - 1);
+    for (std::size_t depth = 1; depth < path.parts.size(); ++depth) {
+        const Path unit{{path.parts.begin(), path.parts.begin() + static_cast<std::ptrdiff_t>(depth)}};
+        const Visit& visit = steps.at(unit);
+        const auto [letter, index] = path.parts[depth];
+        const auto listed = static_cast<Integer>(depth == 1 ? visit.stages.size() : visit.unit().expressions.size());
+        const char list = depth == 1 ? 's' : 'e';
+        if (letter == list && index >= 0 && index < listed) continue;
+        if (loops_over(visit.unit(), letter, index)) continue;
+        std::string parts = listed > 0 ? range(list, 0, listed - 1) : "";
+        if (const auto& loop = visit.unit().loop; loop && loop->count() > 0)
+            parts += (parts.empty() ? "" : " and ") + range(loop->letter, loop->first, loop->last - loop->step);
+        return unit.text() + " has " + (parts.empty() ? "no parts" : parts);
+    }
+    return std::nullopt;
 }
 
 Grid<Coverage> coverage(const Drawing& drawing, int shape) {

@@ -23,6 +23,12 @@ namespace texelscope {
 /// The values are the same, NaN the same as NaN.
 [[nodiscard]] bool same_value(const std::optional<Value>& a, const std::optional<Value>& b);
 
+/// "u = 8.25", or "u \approx 8.2503" where the value has more decimals than are shown.
+[[nodiscard]] std::string equation(std::string_view name, double value, int decimals);
+
+/// What of a path is not there, in words: "t0/s5/y5/x6 has e0 to e14". Nothing where the step exists.
+[[nodiscard]] std::optional<std::string> missing_part(Steps& steps, const Path& path);
+
 /// What becomes of a pixel of the frame.
 enum class Coverage : std::uint8_t { never_visited, rejected, written };
 /// Of one shape, over the framebuffer; top left at the frame's.

@@ -8,6 +8,15 @@
 
 namespace texelscope {
 
+bool KeyLines::has(std::string_view key) const {
+    return std::any_of(keys.begin(), keys.end(), [&](const auto& entry) { return entry.first == key; });
+}
+
+int KeyLines::of(std::string_view key) const {
+    const auto found = std::find_if(keys.begin(), keys.end(), [&](const auto& entry) { return entry.first == key; });
+    return found == keys.end() ? block : found->second;
+}
+
 std::string one_of(const std::vector<std::string_view>& names) {
     std::string out;
     for (std::size_t n = 0; n < names.size(); ++n) {
@@ -26,6 +35,12 @@ int Fields::line_of(std::string_view key) const {
         if (entry.key == key) return entry.line;
     }
     return line_;
+}
+
+KeyLines Fields::lines() const {
+    KeyLines lines{line_};
+    for (const TomlEntry& entry : entries_) lines.keys.emplace_back(entry.key, entry.line);
+    return lines;
 }
 
 void Fields::fail(std::string_view key, std::string_view what) {

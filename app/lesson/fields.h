@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/lesson/lesson.h"
 #include "app/lesson/toml_table.h"
 #include "core/base/result.h"
 
@@ -39,6 +40,8 @@ public:
     void demand_known();
     [[nodiscard]] const std::optional<Error>& fault() const { return fault_; }
     [[nodiscard]] int line_of(std::string_view key) const;
+    /// Those that are there.
+    [[nodiscard]] KeyLines lines() const;
 
 private:
     template <class T>

@@ -27,6 +27,16 @@ inline constexpr int kMaxTitle = 40, kMaxGroup = 24, kMaxSummary = 150;
 inline constexpr int kMaxLead = 56, kMaxProse = 130;
 inline constexpr int kMaxAsk = 84, kMaxOption = 18, kMaxAllOptions = 40;
 
+/// On which lines of the file the keys of a block stand.
+struct KeyLines {
+    int block = 0;  ///< where the block begins
+    std::vector<std::pair<std::string, int>> keys{};
+
+    [[nodiscard]] bool has(std::string_view key) const;
+    /// The block's own line where it has no such key.
+    [[nodiscard]] int of(std::string_view key) const;
+};
+
 /// What a beat sets when it is reached; what is absent stays as the beat before left it.
 struct BeatSettings {
     std::optional<Path> step;
@@ -37,6 +47,7 @@ struct BeatSettings {
     std::optional<std::string> pin;
     std::optional<bool> play, hits;  ///< start playing, in this beat alone; show the hit map
     std::vector<std::string> views;  ///< replaces the lesson's views, in slot order
+    KeyLines lines;
 };
 
 /// A question whose answer the engine computes from the scene as it stands.
@@ -47,7 +58,7 @@ struct Prediction {
     std::vector<std::string> options{};  ///< of choice and many
     std::string answer{};   ///< what the engine is to compute: a question of app/lesson/questions.h and its arguments
     std::string explain{};  ///< the step that explains a wrong answer; a path, or "auto"
-    int line = 0;           ///< of the lesson file
+    KeyLines lines{};
 };
 
 /// One press of PgDn.
@@ -63,7 +74,8 @@ struct Beat {
 struct Lesson {
     std::string id;                       ///< the folder's name, "05-half-planes"
     int number = 0;                       ///< 1 to 21 are built in, up to 99 a lecturer's; 0: its folder has none
-    std::string title, group, icon;       ///< group: the heading it stands under in the list
+    std::string title, group;             ///< group: the heading it stands under in the list
+    std::string icon;                     ///< one of kIconNames; empty: none was chosen
     std::string summary;                  ///< two sentences for the list
     std::string method, variant, format;  ///< ids
     std::string scene;                    ///< file beside the lesson
@@ -73,11 +85,12 @@ struct Lesson {
     std::vector<std::string> quirks;      ///< quirks (id or field) that the lesson offers as switches
     std::vector<Beat> beats;              ///< at least one
     std::filesystem::path file;
+    KeyLines lines;  ///< of the front matter
 };
 
 /// Reads a lesson's text. Every fault is an error that names FILE:LINE, and what was expected there.
 /// @param file        its folder's name is the lesson's id; "05-half-planes" is also the number 5, others have 0.
-/// @param view_names  the views there are; empty: names are checked for form only.
+/// @param view_names  those that `views` may name; empty: names are checked for form only.
 Result<Lesson> parse_lesson(std::string_view text, const std::filesystem::path& file,
                             std::span<const std::string_view> view_names = {});
 Result<Lesson> load_lesson(const std::filesystem::path& file, std::span<const std::string_view> view_names = {});

@@ -13,11 +13,9 @@ namespace texelscope {
 namespace fs = std::filesystem;
 
 Result<Lesson> load_lesson(const fs::path& file, std::span<const std::string_view> view_names) {
-    std::error_code ignored;
-    const fs::path path = file.has_parent_path() ? file : fs::absolute(file, ignored);  // its folder's name is the id
-    const auto text = read_file(path, kMaxLessonBytes);
+    const auto text = read_file(file, kMaxLessonBytes);
     if (!text) return text.error();
-    return parse_lesson(*text, path, view_names);
+    return parse_lesson(*text, file, view_names);
 }
 
 std::vector<Lesson> load_lessons(const fs::path& lessons, std::vector<Error>& errors,

@@ -145,9 +145,14 @@ private:
         const bool ends = type == MD_TEXT_SOFTBR || type == MD_TEXT_BR;
         if (span_) return inside_ += ends ? " " : text, 0;
         if (ends) return block.text += ' ', 0;
-        for (const char c : text) {
+        for (const char& c : text) {
             if (c == '\\') return fail("a backslash outside of mathematics");
-            if (c == '$' || c == '*' || c == '`') block.text += '\\';
+            if (c == '$' || c == '*' || c == '`') {
+                move_to({&c, 1});
+                if (at_ == 0 || text_[at_ - 1] != '\\')
+                    return fail(fmt::format("a {0} without its partner; \\{0} is the character itself", c));
+                block.text += '\\';
+            }
             block.text += c;
         }
         return 0;

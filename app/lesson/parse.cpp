@@ -2,12 +2,14 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <system_error>
 
 #include <fmt/format.h>
 
 #include "app/lesson/fields.h"
 #include "app/lesson/lesson.h"
 #include "app/lesson/markdown.h"
+#include "app/lesson/names.h"
 #include "app/lesson/prose.h"
 #include "app/lesson/questions.h"
 #include "app/lesson/read_beat.h"
@@ -107,8 +109,7 @@ std::optional<Error> read_front(const std::vector<TomlEntry>& entries, const std
     lesson.title = fields.prose("title", kMaxTitle);
     lesson.group = fields.prose("group", kMaxGroup);
     lesson.summary = fields.prose("summary", kMaxSummary);
-    lesson.icon = fields.text("icon").value_or(lesson.number > 0 ? lesson.id.substr(3) : lesson.id);
-    if (!is_file_name(lesson.icon)) fields.fail("icon", "is not the name of an icon");
+    lesson.icon = fields.name_among("icon", {kIconNames.begin(), kIconNames.end()}).value_or("");
     read_method(fields, lesson, words);
     if (words.method == nullptr) return fields.fault();
     lesson.scene = fields.text("scene").value_or("scene.json");
@@ -123,6 +124,7 @@ std::optional<Error> read_front(const std::vector<TomlEntry>& entries, const std
         fields.fail("levels", fmt::format("is '{}', expected letters of TGSPE in this order", lesson.levels));
     lesson.drag = fields.name_among("drag", {"vertices", "screen", "texture", "none"}).value_or("vertices");
     fields.demand_known();
+    lesson.lines = fields.lines();
     return fields.fault();
 }
 
@@ -134,7 +136,8 @@ Result<Lesson> read_lesson(std::string_view text, const std::filesystem::path& p
     if (!parts) return parts.error();
     Lesson lesson;
     lesson.file = path;
-    lesson.id = path.parent_path().filename().string();
+    std::error_code ignored;
+    lesson.id = std::filesystem::absolute(path, ignored).lexically_normal().parent_path().filename().string();
     lesson.number = number_of(lesson.id);
     const auto front = parse_toml_table(parts->front, file, 2);
     if (!front) return front.error();

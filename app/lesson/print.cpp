@@ -98,7 +98,8 @@ namespace {
 std::string print_lesson(const Lesson& lesson) {
     std::string out = "+++\n";
     out += pair("title", toml_text(lesson.title)) + pair("group", toml_text(lesson.group));
-    out += pair("icon", toml_text(lesson.icon)) + pair("summary", toml_text(lesson.summary));
+    if (!lesson.icon.empty()) out += pair("icon", toml_text(lesson.icon));
+    out += pair("summary", toml_text(lesson.summary));
     out += pair("method", toml_text(lesson.method)) + pair("variant", toml_text(lesson.variant));
     out += pair("number", toml_text(lesson.format)) + pair("scene", toml_text(lesson.scene));
     out += pair("views", list(lesson.views)) + pair("levels", toml_text(lesson.levels));

@@ -1,6 +1,8 @@
 #include "app/lesson/prose.h"
 
+#include <algorithm>
 #include <cctype>
+#include <cstddef>
 #include <cstdint>
 
 #include <fmt/format.h>
@@ -58,10 +60,14 @@ std::optional<std::string> fault_of_math(std::string_view math) {
 }
 
 std::optional<std::string> fault_of_prose(std::string_view prose) {
+    std::ptrdiff_t dollars = 0, escaped = 0;
     for (const ui::Span& span : ui::spans_of(prose)) {
+        if (span.kind == ui::Span::Kind::text) dollars += std::count(span.text.begin(), span.text.end(), '$');
         if (span.kind != ui::Span::Kind::math) continue;
         if (auto fault = fault_of_math(span.text)) return fault;
     }
+    for (std::size_t at = prose.find("\\$"); at != prose.npos; at = prose.find("\\$", at + 2)) ++escaped;
+    if (dollars > escaped) return "a $ without its partner; \\$ is the character itself";
     return std::nullopt;
 }
 

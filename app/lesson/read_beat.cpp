@@ -34,12 +34,21 @@ void demand_pin(Fields& fields, const std::string& pin, const Method& method) {
     if (kind == "pixel" || kind == "texel") {
         if (!is_place(what)) fields.fail("pin", fmt::format("is '{}', expected '{} X,Y'", pin, kind));
     } else if (kind == "line") {
-        if (what.empty() || line_with(load_listing(method.listing), what) == 0) {
+        if (what.empty() || find_line(method, load_listing(method.listing), what) == 0) {
             fields.fail("pin", fmt::format("is '{}', which stands nowhere in {}", pin, method.listing));
         }
     } else if (kind != "name" || what.empty()) {
         fields.fail("pin", fmt::format("is '{}', expected {}", pin, kForms));
     }
+}
+
+/// Why parse_path does not read it.
+[[nodiscard]] std::string fault_of_path(std::string_view text, std::string_view example) {
+    const std::size_t slash = text.find('/');
+    const auto shape = parse_path(text.substr(0, slash));
+    const bool leaps = shape && slash != text.npos && text.substr(slash + 1, 1) != "s";
+    return fmt::format("is '{}', expected a path such as {}{}", text, example,
+                       leaps ? fmt::format(": a stage (/s0) must stand behind {}", shape->text()) : "");
 }
 
 Result<BeatSettings> read_settings(const std::vector<TomlEntry>& entries, const std::string& file, int line,
@@ -48,7 +57,7 @@ Result<BeatSettings> read_settings(const std::vector<TomlEntry>& entries, const 
     BeatSettings set;
     if (const auto step = fields.text("step")) {
         set.step = parse_path(*step);
-        if (!set.step) fields.fail("step", fmt::format("is '{}', expected a path such as t0/s5/y11/x7/e2", *step));
+        if (!set.step) fields.fail("step", fault_of_path(*step, "t0/s5/y11/x7/e2"));
     }
     std::vector<std::string_view> levels, numbers, variants;
     for (int n = 0; n < kLevels; ++n) levels.push_back(id_of(static_cast<Level>(n)));
@@ -66,6 +75,7 @@ Result<BeatSettings> read_settings(const std::vector<TomlEntry>& entries, const 
     if (const auto views = fields.texts("views")) set.views = *views, demand_views(fields, "views", set.views, words);
     fields.demand_known();
     if (fields.fault()) return *fields.fault();
+    set.lines = fields.lines();
     return set;
 }
 
@@ -92,7 +102,7 @@ void read_options(Fields& fields, Prediction& asked, const Question& question) {
 Result<Prediction> read_prediction(const std::vector<TomlEntry>& entries, const std::string& file, int line,
                                    const Vocabulary& words) {
     Fields fields(entries, file, "the predict block", line);
-    Prediction asked{.line = line};
+    Prediction asked{.lines = fields.lines()};
     asked.ask = fields.prose("ask", kMaxAsk);
     const auto kind = fields.name_among("kind", {kKindNames.begin(), kKindNames.end()});
     const auto answer = fields.text("answer");
@@ -112,7 +122,7 @@ Result<Prediction> read_prediction(const std::vector<TomlEntry>& entries, const 
     read_options(fields, asked, question);
     asked.explain = fields.text("explain").value_or("auto");
     if (asked.explain != "auto" && !parse_path(asked.explain)) {
-        fields.fail("explain", fmt::format("is '{}', expected auto or a path such as t0/s5/y11/x7", asked.explain));
+        fields.fail("explain", fault_of_path(asked.explain, "t0/s5/y11/x7, or auto"));
     }
     fields.demand_known();
     if (fields.fault()) return *fields.fault();
@@ -199,6 +209,9 @@ void demand_views(Fields& fields, std::string_view key, const std::vector<std::s
                   const Vocabulary& words) {
     if (views.empty() || views.size() > kMaxViews)
         fields.fail(key, fmt::format("has {} names, expected 1 to {}", views.size(), kMaxViews));
+    for (auto view = views.begin(); view != views.end(); ++view) {
+        if (std::find(views.begin(), view, *view) != view) fields.fail(key, fmt::format("has '{}' twice", *view));
+    }
     for (const std::string& view : views) {
         const bool formed =
             !view.empty() && view.find_first_not_of("abcdefghijklmnopqrstuvwxyz-0123456789") == view.npos;

@@ -1,6 +1,7 @@
 #include "app/lesson/toml_table.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -19,6 +20,17 @@ constexpr std::string_view kKinds = "a text, true or false, a list of texts, or 
     return line;
 }
 
+/// Whether line `number` of `text`, counted from 1, gives a key a word without quotes.
+[[nodiscard]] bool has_bare_word(std::string_view text, std::size_t number) {
+    for (; number > 1; --number) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    const std::string_view line = text.substr(0, text.find('\n'));
+    const std::size_t equals = line.find('=');
+    if (equals == line.npos) return false;
+    const std::string_view value = line.substr(std::min(line.find_first_not_of(" \t", equals + 1), line.size()));
+    const std::string_view word = value.substr(0, value.find_first_of(" \t#"));
+    return !word.empty() && std::isalpha(static_cast<unsigned char>(word[0])) != 0 && word != "true" && word != "false";
+}
+
 class Reader {
 public:
     Reader(const std::string& file, int first_line) : file_(file), before_(first_line - 1) {}
@@ -28,7 +40,9 @@ public:
             const toml::table table = toml::parse(text);
             return entries(table);
         } catch (const toml::parse_error& fault) {
-            return Error{place(fault.source()), one_line(fault.description())};
+            const bool bare = has_bare_word(text, static_cast<std::size_t>(fault.source().begin.line));
+            return Error{place(fault.source()),
+                         one_line(fault.description()) + (bare ? ": a text needs quotes, as in key = \"text\"" : "")};
         }
     }
 

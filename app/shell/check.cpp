@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "app/shell/check_beat.h"
 #include "app/shell/headless.h"
 #include "app/state/lesson_cursor.h"
+#include "app/views/screen.h"
 #include "core/method/drawing.h"
 
 namespace texelscope {
@@ -15,53 +17,54 @@ namespace {
 constexpr std::array kScales{1.0F, 1.25F, 1.5F, 2.0F, 2.5F};
 constexpr std::array kSizes{glm::vec2(1280, 720), glm::vec2(1920, 1080)};
 
+/// Whether the code view has the line, whole.
+[[nodiscard]] bool is_line_shown(const ui::FrameReport& report, int line) {
+    const std::string name = fmt::format("code/line{}", line);
+    return std::any_of(report.controls.begin(), report.controls.end(), [&](const ui::ControlRecord& control) {
+        return control.name == name && control.clip.covers(control.area, 1);
+    });
+}
+
 class Checker {
 public:
     Checker(const std::filesystem::path& file, LessonCheck& check) : file_(file), check_(check) {}
 
-    void run() {
+    void run(bool screens) {
         auto document = open_document(file_.string());
         if (!document) return check_.faults.push_back(document.error());
         document_ = *document;
         check_.beats = static_cast<int>(lesson().beats.size());
+        check_views();
         check_beats();
         check_there_and_back();
         check_quirks();
-        check_screens();
+        if (screens) check_screens();
     }
 
 private:
     [[nodiscard]] const Lesson& lesson() const { return *document_->lesson; }
     void fault(int line, std::string what) {
-        check_.faults.push_back({fmt::format("{}:{}", file_.string(), line), std::move(what)});
+        check_.faults.push_back({fmt::format("{}:{}", lesson().file.string(), line), std::move(what)});
+    }
+
+    void check_views() {
+        const Method& method = *find_method(lesson().method);
+        const auto check = [&](const std::vector<std::string>& views, const KeyLines& lines) {
+            for (const std::string& view : views) {
+                if (const std::string what = view_fault(view, method); !what.empty()) fault(lines.of("views"), what);
+            }
+        };
+        check(lesson().views, lesson().lines);
+        for (const Beat& beat : lesson().beats) check(beat.set.views, beat.set.lines);
     }
 
     void check_beats() {
         Store store(opened(document_, State{}));
         for (int n = 0; n < check_.beats; ++n) {
-            const Beat& beat = lesson().beats[static_cast<std::size_t>(n)];
             if (n > 0) store.dispatch(action::Advance{});
-            const State& state = store.state();
-            if (beat.set.step &&
-                state.cursor.step != store.derived().steps().at_level(*beat.set.step, state.cursor.level)) {
-                fault(beat.line, fmt::format("there is no step {}, expected one of this scene and variant",
-                                             beat.set.step->text()));
-            }
-            if (beat.set.pin) check_pin(beat, store);
-            check_.predictions += beat.prediction.has_value();
+            for (BeatFault& found : beat_faults(store)) fault(found.line, std::move(found.what));
+            check_.predictions += lesson().beats[static_cast<std::size_t>(n)].prediction.has_value();
         }
-    }
-
-    void check_pin(const Beat& beat, Store& store) {
-        const Selection& pin = store.state().pinned;
-        const Highlight light = store.derived().highlight(pin);
-        const auto& names = store.derived().visit().tape.names;
-        const bool named =
-            pin.kind != Selection::Kind::name ||
-            std::any_of(names.begin(), names.end(), [&](const Named& n) { return n.name.text() == pin.name; });
-        const bool found =
-            pin.kind != Selection::Kind::none && named && (pin.kind != Selection::Kind::line || pin.line > 0);
-        if (!found) fault(beat.line, fmt::format("pin '{}' points at nothing here", *beat.set.pin));
     }
 
     void check_there_and_back() {
@@ -96,18 +99,19 @@ private:
 
     void check_quirks() {
         const Method* method = find_method(lesson().method);
+        const int line = lesson().lines.of("quirks");
         for (const std::string& id : lesson().quirks) {
             const int n = quirk_index(*method, id);
             const QuirkSet bit = QuirkSet{1} << n;
-            bool changes = method->quirks[static_cast<std::size_t>(n)].form;
+            bool changes = method->quirks[static_cast<std::size_t>(n)].kind == QuirkKind::form;
             for (const VariantInfo& variant : method->variants)
                 changes = changes || samples_with(variant.quirks | bit) != samples_with(variant.quirks & ~bit);
-            if (!changes) fault(1, fmt::format("the quirk '{}' changes no pixel of this scene", id));
+            if (!changes) fault(line, fmt::format("the quirk '{}' changes no pixel of this scene", id));
             const std::string pin = fmt::format("line quirk.{}", method->quirks[static_cast<std::size_t>(n)].field);
             const bool named = std::any_of(lesson().beats.begin(), lesson().beats.end(),
                                            [&](const Beat& b) { return b.set.pin == pin; });
-            if (!named && !method->quirks[static_cast<std::size_t>(n)].form)
-                fault(1, fmt::format("no beat pins the guilty line of '{}' (pin = \"{}\")", id, pin));
+            if (!named && method->quirks[static_cast<std::size_t>(n)].kind != QuirkKind::form)
+                fault(line, fmt::format("no beat pins the guilty line of '{}' (pin = \"{}\")", id, pin));
         }
     }
 
@@ -139,6 +143,11 @@ private:
             for (const ui::TextRecord& text : ui::texts_cut((*app)->shell().report()))
                 fault(line, fmt::format("'{}' does not fit its place at {:.0f}, {:.0f} ({})", text.text, text.area.x,
                                         text.area.y, where));
+            const Selection& pin = (*app)->state().pinned;
+            if (pin.kind == Selection::Kind::line && !layout_of((*app)->state(), size).tabbed &&
+                !is_line_shown((*app)->shell().report(), pin.line))
+                fault(lesson().beats[static_cast<std::size_t>(n)].set.lines.of("pin"),
+                      fmt::format("the pinned line {} is not to be seen ({})", pin.line, where));
             for (const ui::ControlRecord& control : ui::small_targets((*app)->shell().report()))
                 fault(line, fmt::format("the target '{}' is too small ({})", control.name, where));
         }
@@ -151,9 +160,9 @@ private:
 
 }  // namespace
 
-LessonCheck check_lesson(const std::filesystem::path& file) {
+LessonCheck check_lesson(const std::filesystem::path& file, bool screens) {
     LessonCheck check;
-    Checker(file, check).run();
+    Checker(file, check).run(screens);
     return check;
 }
 

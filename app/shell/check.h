@@ -16,6 +16,7 @@ struct LessonCheck {
 
 /// Reads the lesson and its scene; goes through its beats forward and back; steps, pins and quirks exist and do
 /// something; each prediction has an answer; every screen fits, in both sizes, both themes and at every text scale.
-[[nodiscard]] LessonCheck check_lesson(const std::filesystem::path& file);
+/// @param screens  whether to draw them, which takes seconds.
+[[nodiscard]] LessonCheck check_lesson(const std::filesystem::path& file, bool screens = true);
 
 }  // namespace texelscope

@@ -4,8 +4,11 @@
 #include <cstdlib>
 #include <system_error>
 
+#include <fmt/format.h>
+
 #include "app/state/link.h"
 #include "app/state/store.h"
+#include "app/views/view.h"
 #include "core/image/load.h"
 #include "core/scene/json.h"
 
@@ -37,19 +40,54 @@ namespace fs = std::filesystem;
     return {};
 }
 
-Result<std::shared_ptr<const Document>> open_lesson(const fs::path& file) {
-    auto lesson = load_lesson(file);
-    if (!lesson) return lesson.error();
-    const fs::path scene_file = file.parent_path() / lesson->scene;
-    auto scene = load_scene(scene_file, assets_folder());
+/// What a lesson's `views` may name: the canvas is there without being asked for.
+[[nodiscard]] std::vector<std::string_view> side_view_names() {
+    std::vector<std::string_view> names;
+    for (const View* view : views()) {
+        if (view->name != "canvas") names.push_back(view->name);
+    }
+    return names;
+}
+
+/// What a pasted state opens the lesson by, wherever the program then runs: its name, or for one that does not come
+/// with the program its folder, or the file where that has another name.
+[[nodiscard]] std::string name_of(const Lesson& lesson) {
+    std::error_code bad;
+    const fs::path file = fs::absolute(lesson.file, bad).lexically_normal();
+    if (fs::equivalent(file, data_folder() / "lessons" / lesson.id / "lesson.md", bad)) return lesson.id;
+    return (file.filename() == "lesson.md" ? file.parent_path() : file).string();
+}
+
+/// A scene with all files that it is made of.
+Result<std::shared_ptr<Document>> open_scene(const fs::path& file) {
+    auto scene = load_scene(file, assets_folder());
     if (!scene) return scene.error();
     auto document = std::make_shared<Document>();
-    document->id = lesson->id;
+    document->id = file.string();
     document->scene = std::move(scene->scene);
     document->warnings = std::move(scene->warnings);
-    document->files = {file, scene_file};
-    document->lesson = *std::move(lesson);
-    return std::shared_ptr<const Document>(std::move(document));
+    document->files = {file};
+    for (const auto& texture : document->scene.textures) {
+        if (!texture->source.file.empty()) document->files.push_back(file.parent_path() / texture->source.file);
+    }
+    return document;
+}
+
+Result<std::shared_ptr<const Document>> open_lesson(const fs::path& file) {
+    const std::vector<std::string_view> names = side_view_names();
+    auto lesson = load_lesson(file, names);
+    if (!lesson) return lesson.error();
+    const fs::path scene = file.parent_path() / lesson->scene;
+    if (!is_there(scene))
+        return Error{
+            fmt::format("{}:{}", file.string(), lesson->lines.of("scene")),
+            fmt::format("scene is '{}', which is not there, expected a file beside the lesson", lesson->scene)};
+    auto document = open_scene(scene);
+    if (!document) return document.error();
+    (*document)->id = name_of(*lesson);
+    (*document)->files.insert((*document)->files.begin(), file);
+    (*document)->lesson = *std::move(lesson);
+    return std::shared_ptr<const Document>(*std::move(document));
 }
 
 /// The image a pasted line names: the one in use, or one of the assets. A line from elsewhere opens no other file.
@@ -76,21 +114,16 @@ fs::path data_folder() {
 fs::path assets_folder() { return data_folder() / "assets"; }
 
 std::vector<Lesson> built_in_lessons(std::vector<Error>& errors) {
-    return load_lessons(data_folder() / "lessons", errors);
+    return load_lessons(data_folder() / "lessons", errors, side_view_names());
 }
 
 Result<std::shared_ptr<const Document>> open_document(const std::string& target) {
     if (const fs::path file = lesson_file(target); !file.empty()) return open_lesson(file);
     if (!is_there(target))
         return Error{target, "there is no such lesson or file; 'texelscope list lessons' names the lessons"};
-    auto scene = load_scene(target, assets_folder());
-    if (!scene) return scene.error();
-    auto document = std::make_shared<Document>();
-    document->id = target;
-    document->scene = std::move(scene->scene);
-    document->warnings = std::move(scene->warnings);
-    document->files = {target};
-    return std::shared_ptr<const Document>(std::move(document));
+    auto document = open_scene(target);
+    if (!document) return document.error();
+    return std::shared_ptr<const Document>(*std::move(document));
 }
 
 Result<std::shared_ptr<const Texture>> open_texture(const fs::path& file) {

@@ -5,6 +5,7 @@
 
 #include "app/state/keymap.h"
 #include "app/state/link.h"
+#include "app/views/layout.h"
 #include "app/views/screen.h"
 #include "core/base/file.h"
 #include "core/image/load.h"
@@ -13,6 +14,7 @@ namespace texelscope {
 namespace {
 
 constexpr double kPollEvery = 0.25;  ///< files of the open document are looked at this often [s]
+constexpr double kShowAgain = 0.15;  ///< frames go on for so long after new type was baked [s]
 constexpr std::string_view kCopied = "The state is in the clipboard, as one line.";
 constexpr std::string_view kNothingToPaste = "The clipboard holds no Texelscope state.";
 constexpr std::string_view kDropHint = "Drop a scene, a lesson or an image on the window to open it.";
@@ -24,7 +26,9 @@ constexpr std::string_view kNotHere = "This lesson is not in this version.";
     return look.theme == Theme::light ? ui::ThemeName::light : ui::ThemeName::dark;
 }
 
-[[nodiscard]] ui::FontSpec fonts_of(const Look& look) { return {look.scale, look.presenting}; }
+[[nodiscard]] ui::FontSpec fonts_of(const Look& look, glm::vec2 window) {
+    return {text_scale(window, look), look.presenting};
+}
 
 [[nodiscard]] std::string short_name(const State& state) {
     return state.document ? std::filesystem::path(state.document->id).stem().string() : "texelscope";
@@ -44,7 +48,7 @@ Result<std::unique_ptr<Shell>> Shell::start(Host& host, State state, std::vector
 }
 
 bool Shell::bake_fonts() {
-    const ui::FontSpec wanted = fonts_of(state().look);
+    const ui::FontSpec wanted = fonts_of(state().look, window_);
     if (fonts_ && fonts_->spec() == wanted) return true;
     auto baked = ui::Fonts::bake(wanted);
     if (!baked) {
@@ -58,6 +62,7 @@ bool Shell::bake_fonts() {
 }
 
 void Shell::frame(const ui::Input& input) {
+    window_ = input.size;
     const ui::Theme theme = ui::make_theme(theme_of(state().look));
     ui::UiOptions options = options_.ui;
     options.reduced_motion = options.reduced_motion || state().look.reduced_motion;
@@ -94,7 +99,10 @@ void Shell::act(const ui::Input& input, const std::vector<Action>& actions, cons
     for (const Action& action : actions) store_.dispatch(action);
     for (const ShellRequest& request : requests) fulfil(request, input);
     for (const std::string& file : input.dropped) drop(file);
+    const ui::FontSpec before = fonts_->spec();
     if (!bake_fonts()) say(font_error_, true);
+    // The window's size may have changed them, without any action that would draw again.
+    if (fonts_->spec() != before) host_.wants_frames_until(input.time + kShowAgain);
 }
 
 void Shell::fulfil(const ShellRequest& request, const ui::Input& input) {

@@ -56,6 +56,7 @@ private:
     ui::FrameReport report_;
     std::unique_ptr<ui::Fonts> fonts_, old_fonts_;
     std::string font_error_;
+    glm::vec2 window_{1280, 720};  ///< of the last frame: while presenting type follows it
     std::vector<std::filesystem::file_time_type> times_;
     double next_step_ = 0;  ///< while playing [s]
     std::string title_;

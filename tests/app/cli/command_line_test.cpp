@@ -51,6 +51,31 @@ TEST(CommandLine, WhatIsWrongIsOneLineAndExitCode2) {
     expect_bad_input(run_program("list nothing"), "nothing");
 }
 
+TEST(CommandLine, ShotGoesToABeatAndThenToAStep) {
+    const std::string file = (std::filesystem::temp_directory_path() / "texelscope_shot.png").string();
+    const auto shot = [&](const std::string& arguments) {
+        const Ran ran = run_program("shot 5 --size 640x480 -o '" + file + "' " + arguments);
+        EXPECT_EQ(ran.code, 0) << ran.err;
+        const auto image = load_image(file);
+        return image ? *image : Image();
+    };
+    const Image first = shot("");
+    EXPECT_EQ(shot("--beat 1"), first);
+    const Image third = shot("--beat 3");
+    EXPECT_NE(third, first);
+    EXPECT_NE(shot("--beat 3 --step t0/s0"), third);
+    std::filesystem::remove(file);
+}
+
+TEST(CommandLine, ABeatThatIsNotThereIsNamed) {
+    const std::string lesson = "shot " TEXELSCOPE_SOURCE_DIR "/lessons/example/texture-slides -o /dev/null --beat ";
+    expect_bad_input(run_program(lesson + "0"), "--beat: 0, expected 1 to 6");
+    expect_bad_input(run_program(lesson + "7"), "--beat: 7, expected 1 to 6");
+    expect_bad_input(run_program(lesson + "x"), "--beat");
+    const std::string scene = "shot " TEXELSCOPE_SOURCE_DIR "/lessons/example/texture-slides/scene.json";
+    expect_bad_input(run_program(scene + " -o /dev/null --beat 1"), "a scene has no beats");
+}
+
 TEST(CommandLine, AWrongSettingNamesWhatThereIs) {
     expect_bad_input(run_program("pixels - --method edge-equation", kScene), "did you mean edge-equations?");
     expect_bad_input(run_program("pixels - --number f16", kScene), "fx16.16");

@@ -27,7 +27,7 @@ std::vector<DrawSettings> all_settings() {
         for (const VariantInfo& variant : method->variants) {
             all.push_back({.method = method, .quirks = variant.quirks});
             for (std::size_t n = 0; n < method->quirks.size(); ++n) {
-                if (method->quirks[n].form)
+                if (method->quirks[n].kind == QuirkKind::form)
                     all.push_back({.method = method, .quirks = variant.quirks | QuirkSet{1} << n});
             }
         }

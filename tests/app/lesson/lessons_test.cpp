@@ -105,7 +105,7 @@ TEST(Lessons, EveryQuirkChangesAPixelAndItsGuiltyLineIsPinned) {
         const Method& method = *find_method(lesson.method);
         for (const std::string& id : lesson.quirks) {
             const QuirkInfo& quirk = method.quirks[static_cast<std::size_t>(quirk_number(method, id).value())];
-            if (quirk.form) continue;
+            if (quirk.kind == QuirkKind::form) continue;
             const auto pictures_differ = [&](const VariantInfo& variant) {
                 const Drawing plain(document->scene, {&method, NumberFormat::f64, variant.quirks, {}});
                 const Drawing on(document->scene, with_quirks(plain, {{id, true}})),

@@ -78,7 +78,7 @@ TEST(ParseLesson, EveryFieldIsRead) {
     ASSERT_TRUE(lesson->beats[1].prediction);
     EXPECT_EQ(lesson->beats[1].prediction->kind, Prediction::Kind::pixel);
     EXPECT_EQ(lesson->beats[1].prediction->explain, "auto");
-    EXPECT_EQ(lesson->beats[1].prediction->line, 25);
+    EXPECT_EQ(lesson->beats[1].prediction->lines.block, 25);
 }
 
 TEST(ParseLesson, PrintedTextIsTheSameLesson) {
@@ -132,6 +132,8 @@ struct Fault {
     int line;
     std::string_view says;
 };
+/// Else the names of tests hold addresses.
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
 
 const std::vector<Fault> kFaults{
     {"NoFrontMatter", "+++\ntitle", "title", 1, "+++"},
@@ -147,7 +149,7 @@ const std::vector<Fault> kFaults{
     {"UnknownMethod", "\"edge-equations\"", "\"magic\"", 5, "sections"},
     {"UnknownView", "\"texels\"", "\"te xels\"", 6, "view"},
     {"NoViews", "[\"texels\", \"formula\", \"code\"]", "[]", 6, "1 to 3"},
-    {"UnknownQuirkOffered", "[\"inclusive\"]", "[\"exclusive\"]", 7, "inclusive"},
+    {"UnknownQuirkOffered", "[\"inclusive\"]", "[\"elusive\"]", 7, "inclusive"},
     {"UnknownVariant", "quirks = [", "variant = \"wrong\"\nquirks = [", 7, "as-printed"},
     {"UnknownLevels", "quirks = [", "levels = \"PT\"\nquirks = [", 7, "TGSPE"},
     {"UnknownDrag", "quirks = [", "drag = \"all\"\nquirks = [", 7, "vertices"},
@@ -169,6 +171,13 @@ const std::vector<Fault> kFaults{
      12, "130"},
     {"UnknownBlock", "```set", "```sett", 14, "set or predict"},
     {"BadPath", "t0/s5/y11/x16", "t0/5", 15, "path"},
+    {"PathWithoutStage", "t0/s5/y11/x16", "t0/y11", 15, "a stage (/s0) must stand behind t0"},
+    {"PathWithoutQuotes", "\"t0/s5/y11/x16\"", "t0", 15, "a text needs quotes"},
+    {"LoneDollar", "Prose with $E_A \\le 0$", "It costs $5 or \\$6", 12, "a $ without its partner"},
+    {"LoneStar", "Prose with", "Prose * with", 12, "a * without its partner"},
+    {"LoneDollarInSummary", "They say $u_x$.", "They cost $5.", 4, "a $ without its partner"},
+    {"ViewTwice", "\"texels\", \"formula\"", "\"code\", \"formula\"", 6, "has 'code' twice"},
+    {"UnknownIcon", "group =", "icon = \"small\"\ngroup =", 3, "expected array"},
     {"UnknownLevel", "level = \"pixel\"", "level = \"atom\"", 16, "expression"},
     {"UnknownNumber", "\"f32\"", "\"f16\"", 17, "f64"},
     {"UnknownQuirk", "{ inclusive = true }", "{ inklusive = true }", 18, "inclusive"},
@@ -190,7 +199,7 @@ const std::vector<Fault> kFaults{
     {"QuestionOfOtherMethod", "pixel-of-byte 137", "sections", 28, "lesson's method"},
     {"OptionsTooMany", "kind = \"pixel\"", "kind = \"pixel\"\noptions = [\"a\"]", 28, "options"},
     {"BadExplain", "kind = \"pixel\"", "kind = \"pixel\"\nexplain = \"here\"", 28, "auto"},
-    {"BrokenTomlInBlock", "kind = \"pixel\"", "kind = pixel", 27, ""},
+    {"BrokenTomlInBlock", "kind = \"pixel\"", "kind = pixel", 27, "a text needs quotes"},
 };
 
 class LessonFault : public testing::TestWithParam<Fault> {};

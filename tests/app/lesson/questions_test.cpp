@@ -143,6 +143,47 @@ TEST(Questions, TheNextPixelIsOneGradientAway) {
     EXPECT_FALSE(board.ask("value nothing", "t0/s1").number);
 }
 
+TEST(Facts, AnEquationIsOneWhereItsDecimalsSayAll) {
+    EXPECT_EQ(equation("u", 8.25, 4), "u = 8.25");
+    EXPECT_EQ(equation("u", -0.0625, 4), "u = -0.0625");
+    EXPECT_EQ(equation("u", 0.03125, 4), "u \\approx 0.0312");
+    EXPECT_EQ(equation("v", 3, 2), "v = 3");
+    EXPECT_EQ(equation("v", 1.0 / 3, 2), "v \\approx 0.33");
+}
+
+TEST(Questions, AnExactValueIsSaidToBeOne) {
+    Board board(scene_of(8, 8, {{corner(0, 0), corner(8, 0, 4), corner(0, 8)}}), "edge-equations", "corrected");
+    EXPECT_EQ(board.ask("value u", "t0/s5/y1/x2").sentence, "$u = 1.25$ there.");
+    EXPECT_EQ(board.ask("texel-of 2 1", "t0").sentence, "$u = 1.25$ and $v = 0$: column 1, row 0.");
+}
+
+TEST(Facts, OfAStepThatExistsNothingIsMissing) {
+    for (const std::string_view method : {"edge-equations", "sections"}) {
+        Board board(square(2), method, "corrected");
+        int steps = 0;
+        for (int level = 0; level < kLevels; ++level) {
+            for (auto path = board.steps->first(static_cast<Level>(level)); path;
+                 path = board.steps->next(*path, static_cast<Level>(level)), ++steps)
+                EXPECT_EQ(missing_part(*board.steps, *path), std::nullopt) << path->text();
+        }
+        EXPECT_GT(steps, 50);
+    }
+}
+
+TEST(Facts, WhatIsMissingIsSaidWithWhatIsThere) {
+    Board board(square(2), "edge-equations", "corrected");
+    const auto missing = [&](std::string_view path) {
+        return missing_part(*board.steps, *parse_path(path)).value_or("");
+    };
+    EXPECT_EQ(missing("t2"), "the scene has t0 to t1");
+    EXPECT_EQ(missing("t0/s6"), "t0 has s0 to s5");
+    EXPECT_EQ(missing("t0/s1/e3"), "t0/s1 has e0 to e2");
+    EXPECT_EQ(missing("t0/s1/y3"), "t0/s1 has e0 to e2");
+    EXPECT_EQ(missing("t0/s5/y40/x5/e2"), "t0/s5 has y4 to y6");
+    Board empty(scene_of(8, 8, {}), "edge-equations", "corrected");
+    EXPECT_EQ(missing_part(*empty.steps, *parse_path("t0")), "the scene has no shape");
+}
+
 TEST(Questions, APentagonHasFourSectionsAndItsPointersTakeTurns) {
     Board board(pentagon(), "sections", "as-printed");
     EXPECT_EQ(board.ask("sections").number, 4);
