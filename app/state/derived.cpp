@@ -1,6 +1,7 @@
 #include "app/state/derived.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 
 #include "app/state/derived_cache.h"
@@ -27,6 +28,16 @@ namespace {
         if (!trivial(operation.op) && !whole) best = &named;
     }
     return best != nullptr ? best : fallback;
+}
+
+/// What is computed nearest to a line of the listing, the last time that it runs.
+[[nodiscard]] const Named* nearest(const Visit& visit, int line) {
+    const Named* best = nullptr;
+    const auto distance = [&](const Named& n) { return std::abs(n.line - line); };
+    for (const Named& named : visit.tape.names) {
+        if (best == nullptr || distance(named) <= distance(*best)) best = &named;
+    }
+    return best;
 }
 
 }  // namespace
@@ -80,13 +91,22 @@ const Named* Derived::named() const {
         return e < v.unit().expressions.size() ? &v.tape.names[static_cast<std::size_t>(v.unit().expressions[e])]
                                                : nullptr;
     }
-    if (cache_->state.pinned.kind == Selection::Kind::name) {
-        for (auto named = v.tape.names.rbegin(); named != v.tape.names.rend(); ++named) {
-            if (named->name.text() == cache_->state.pinned.name) return &*named;
-        }
-    }
+    const Selection& pinned = cache_->state.pinned;
     const Named* best = telling(v);
-    return best != nullptr || v.tape.names.empty() ? best : &v.tape.names.back();
+    const auto last_that = [&](auto is) -> const Named* {
+        for (std::int32_t n = last_known(v, step); n >= 0; --n) {
+            if (const Named& named = v.tape.names[static_cast<std::size_t>(n)]; is(named)) return &named;
+        }
+        return nullptr;
+    };
+    if (pinned.kind == Selection::Kind::name) {
+        const Named* found = last_that([&](const Named& n) { return n.name.text() == pinned.name; });
+        if (found != nullptr) return found;
+    }
+    if (pinned.kind == Selection::Kind::line && best == nullptr) {  // a whole shape has no expression of its own
+        if (const Named* found = nearest(v, pinned.line)) return found;
+    }
+    return best != nullptr ? best : last_that([](const Named&) { return true; });
 }
 
 int Derived::line() const {

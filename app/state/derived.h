@@ -107,7 +107,8 @@ public:
     [[nodiscard]] const Grid<std::uint8_t>& hits(const Window& window) const;
     [[nodiscard]] std::vector<Lane> lanes() const;                 ///< T, G, S, P, E in this order, always five
     [[nodiscard]] const std::vector<Variable>& variables() const;  ///< changed first, then by age
-    [[nodiscard]] const LineCounts& line_counts() const;           ///< up to the cursor, in the current shape
+    /// How often each line ran in the current shape, up to the cursor; empty for a shape too large to count.
+    [[nodiscard]] const LineCounts& line_counts() const;
     /// (u, v) of every sample of the current row of the current shape, in order: the path on the texture.
     [[nodiscard]] const std::vector<Sample>& row_samples() const;
     [[nodiscard]] const std::vector<Notice>& notices() const;

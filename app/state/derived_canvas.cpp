@@ -6,6 +6,8 @@
 namespace texelscope {
 namespace {
 
+constexpr std::int64_t kMostCounted = 1 << 20;  ///< samples: counting more would hold up the step
+
 [[nodiscard]] glm::ivec2 cell_of(const Window& window, const Sample& s) {
     return {(static_cast<int>(s.x) - window.rect.x0) / window.stride,
             (static_cast<int>(s.y) - window.rect.y0) / window.stride};
@@ -98,13 +100,13 @@ const Grid<std::uint8_t>& Derived::hits(const Window& window) const {
 
 const LineCounts& Derived::line_counts() const {
     auto& counts = cache_->of_step.counts;
-    if (!counts) {
-        // Counted over the whole frame where that is cheap; a large shape's are counted up to its current row only.
-        counts = shape() < 0
-                     ? LineCounts{}
-                     : method().until(drawing().settings().format, drawing().job(shape()),
-                                      {scene().framebuffer.rect(), 1}, cache_->state.cursor.step, [](const Sample&) {});
-    }
+    if (counts) return *counts;
+    counts.emplace();
+    if (shape() < 0) return *counts;
+    const Rect reach = drawing().reach(shape());
+    if (std::int64_t{reach.width()} * reach.height() > kMostCounted) return *counts;
+    counts = method().until(drawing().settings().format, drawing().job(shape()), {scene().framebuffer.rect(), 1},
+                            cache_->state.cursor.step, [](const Sample&) {});
     return *counts;
 }
 

@@ -22,25 +22,48 @@ void mark_used(const Tape& tape, const std::vector<std::int32_t>& names, std::in
     for (const std::int32_t operand : {o.a, o.b, o.c}) mark_used(tape, names, operand, false, used);
 }
 
-[[nodiscard]] std::map<std::string, Value> values_by_name(const Visit& visit) {
-    std::map<std::string, Value> values;
-    for (const Named& named : visit.tape.names) {
-        values[named.name.text()] = visit.tape.operations[static_cast<std::size_t>(named.operation)].value;
-    }
-    return values;
+/// What each name stands for once the tape has come to `last`: one that was given twice, for what it was given last.
+[[nodiscard]] std::map<std::string, std::int32_t> latest_by_name(const Tape& tape, std::int32_t last) {
+    std::map<std::string, std::int32_t> latest;
+    for (std::int32_t n = 0; n <= last; ++n) latest[tape.names[static_cast<std::size_t>(n)].name.text()] = n;
+    return latest;
+}
+
+[[nodiscard]] const Value& value_of(const Tape& tape, std::int32_t named) {
+    return tape.operations[static_cast<std::size_t>(tape.names[static_cast<std::size_t>(named)].operation)].value;
 }
 
 }  // namespace
 
+std::int32_t last_known(const Visit& visit, const Path& step) {
+    const std::vector<std::int32_t>& own = visit.unit().expressions;
+    const auto all = static_cast<std::int32_t>(visit.tape.names.size());
+    if (step.at_expression()) {
+        const auto e = static_cast<std::size_t>(step.parts.back().index);
+        if (e < own.size()) return own[e];
+    }
+    std::int32_t last = own.empty() ? -1 : own.back();
+    for (std::int32_t n = 0; n < all; ++n) {
+        const Named& named = visit.tape.names[static_cast<std::size_t>(n)];
+        const std::string name = named.name.text();
+        if (named.loop_variable && name.size() == 1 && visit.path.index_of(name[0])) last = std::max(last, n);
+    }
+    return last >= 0 ? last : all - 1;
+}
+
 std::vector<Variable> make_variables(const Visit& visit, const Named* now, const Cursor& cursor, Steps& steps) {
     const Tape& tape = visit.tape;
     const std::vector<std::int32_t> names = names_by_operation(tape);
-    std::map<std::string, Value> before;
-    if (const auto previous = steps.previous(cursor.step, cursor.level)) before = values_by_name(steps.at(*previous));
+    const std::int32_t last = last_known(visit, cursor.step);
+    const std::map<std::string, std::int32_t> latest = latest_by_name(tape, last);
+    std::map<std::string, std::string> before;
+    if (const auto previous = steps.previous(cursor.step, cursor.level)) {
+        const Visit& earlier = steps.at(*previous);
+        for (const auto& [name, n] : latest_by_name(earlier.tape, last_known(earlier, *previous)))
+            before[name] = full_text(value_of(earlier.tape, n));
+    }
 
     std::set<std::int32_t> own(visit.unit().expressions.begin(), visit.unit().expressions.end()), used;
-    std::int32_t last = static_cast<std::int32_t>(tape.names.size()) - 1;
-    if (cursor.step.at_expression() && now != nullptr) last = static_cast<std::int32_t>(now - tape.names.data());
     for (const std::int32_t n : own) {
         if (n <= last) mark_used(tape, names, tape.names[static_cast<std::size_t>(n)].operation, true, used);
     }
@@ -48,21 +71,18 @@ std::vector<Variable> make_variables(const Visit& visit, const Named* now, const
     std::vector<Variable> variables;
     std::set<std::string> listed;
     const auto list = [&](std::int32_t n) {
-        const Named& named = tape.names[static_cast<std::size_t>(n)];
-        std::string name = named.name.text();
+        std::string name = tape.names[static_cast<std::size_t>(n)].name.text();
         if (n > last || !listed.insert(name).second) return;
-        const Value& value = tape.operations[static_cast<std::size_t>(named.operation)].value;
+        n = latest.at(name);
+        const Value& value = value_of(tape, n);
         const auto old = before.find(name);
-        const bool changed = old == before.end() || full_text(old->second) != full_text(value);
         Variable& variable = variables.emplace_back();
-        variable.name = std::move(name), variable.value = value, variable.line = named.line;
-        variable.changed = changed, variable.own = own.contains(n), variable.named = n;
+        variable.changed = old == before.end() || old->second != full_text(value);
+        variable.name = std::move(name), variable.value = value;
+        variable.line = tape.names[static_cast<std::size_t>(n)].line;
+        variable.own = own.contains(n), variable.named = n;
     };
-    const auto is_truth = [&](std::int32_t n) {
-        return std::holds_alternative<bool>(
-            tape.operations[static_cast<std::size_t>(tape.names[static_cast<std::size_t>(n)].operation)].value);
-    };
-    // A name that was given twice stands for its last value, so lists run backwards where that matters.
+    const auto is_truth = [&](std::int32_t n) { return std::holds_alternative<bool>(value_of(tape, n)); };
     const auto list_all = [&](const auto& set, bool truths) {
         for (const std::int32_t n : set) {
             if (is_truth(n) == truths) list(n);

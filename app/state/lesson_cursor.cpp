@@ -20,7 +20,7 @@ namespace {
         pin.kind = Selection::Kind::line;
         const bool digits =
             !what.empty() && what.find_first_not_of("0123456789") == std::string::npos && what.size() < 7;
-        pin.line = digits ? std::stoi(what) : line_with(load_listing(method.listing), what);
+        pin.line = digits ? std::stoi(what) : find_line(method, load_listing(method.listing), what);
     }
     if (kind == "pixel" || kind == "texel") {
         const char* end = what.data() + what.size();

@@ -135,7 +135,8 @@ public:
         const Method& method = derived_.method();
         if (find_variant(method, a.id) == nullptr) return;
         QuirkSet forms = 0;
-        for (std::size_t n = 0; n < method.quirks.size(); ++n) forms |= method.quirks[n].form ? QuirkSet{1} << n : 0;
+        for (std::size_t n = 0; n < method.quirks.size(); ++n)
+            forms |= method.quirks[n].kind == QuirkKind::form ? QuirkSet{1} << n : 0;
         s_.work.variant = a.id;
         s_.work.quirks = quirks_of(method, a.id) | (s_.work.quirks & forms);
         settle();
@@ -202,7 +203,10 @@ public:
         s_.look = a.look;
         s_.look.scale = std::clamp(s_.look.scale, 1.0F, 2.5F);
     }
-    void operator()(const action::Show& a) { s_.overlay = s_.overlay == a.overlay ? Overlay::none : a.overlay; }
+    void operator()(const action::Show& a) {
+        s_.overlay = s_.overlay == a.overlay ? Overlay::none : a.overlay;
+        if (s_.overlay == Overlay::lessons && s_.document->lesson) s_.chosen_lesson = s_.document->lesson->number - 1;
+    }
     void operator()(const action::ChooseLesson& a) { s_.chosen_lesson = std::max(0, a.index); }
     void operator()(const action::Escape&) {
         if (s_.look.blank)

@@ -181,15 +181,17 @@ MathBox MathKit::determinant(int columns, std::vector<MathBox> cells) const {
 }
 
 MathBox MathKit::in_parentheses(const MathBox& inner) const {
-    if (inner.ascent <= em_ * .80F && inner.descent <= em_ * .36F)
+    // Letters may stand out a little before brackets grow: TeX lets a tenth.
+    constexpr float kReachUp = .95F, kReachDown = .5F;
+    if (inner.ascent <= em_ * kReachUp && inner.descent <= em_ * kReachDown)
         return row({upright("(", Role::text), inner, upright(")", Role::text)}, 0);
     MathBox out;
-    const float wide = px(6), above = inner.ascent + px(1), below = inner.descent + px(1);
-    const Area side{0, -above, wide, above + below};
+    const float wide = px(6), bearing = px(2), above = inner.ascent + px(1), below = inner.descent + px(1);
+    const Area side{bearing, -above, wide, above + below};
     out.inks.push_back({side, MathShape::left_parenthesis, Role::text});
-    put(out, inner, {wide + px(1.5F), 0});
-    out.inks.push_back({side.moved(out.width + px(1.5F), 0), MathShape::right_parenthesis, Role::text});
-    out.width += wide + px(1.5F);
+    put(out, inner, {side.right() + px(1.5F), 0});
+    out.inks.push_back({side.moved(out.width + px(1.5F) - bearing, 0), MathShape::right_parenthesis, Role::text});
+    out.width += px(1.5F) + wide + bearing;
     out.ascent = above;
     out.descent = below;
     return out;

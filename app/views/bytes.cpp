@@ -10,6 +10,7 @@
 #include "app/ui/widgets.h"
 #include "app/views/canvas_map.h"
 #include "app/views/canvas_values.h"
+#include "app/views/terms.h"
 
 namespace texelscope::canvas {
 namespace {
@@ -159,7 +160,14 @@ void draw(const ViewContext& ctx, const ui::Area& place) {
     const std::string note = !at ? std::string(kNote)
                                  : fmt::format(kNoteAt, at->y - frame.origin_y, frame.width, at->x - frame.origin_x,
                                                address_of(frame, *at) * kBytesPerPixel);
-    const ui::Area content = ui.begin_panel("bytes", place, ui.presenting() ? std::string_view{} : kTitle, note);
+    ui::Area content = begin_view(ctx, "bytes", place, kTitle, note);
+    if (ui.presenting()) {  // the tab leaves no line for it
+        const float line = std::round(ui::line_height(ui.font(ui::Face::note)));
+        ui.rich_within(ui::Face::note,
+                       {content.x, ui::baseline_at_middle(ui.font(ui::Face::note), content.y + line / 2)}, content.w,
+                       Role::muted, note);
+        content = {content.x, content.y + line + ui.px(4), content.w, std::max(0.0F, content.h - line - ui.px(4))};
+    }
     const Strip strip = make_strip(ctx, content);
     const CanvasPicture& picture = ctx.derived.canvas(window_of(frame, strip));
     ui.begin_clip(content);

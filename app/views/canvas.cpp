@@ -79,20 +79,25 @@ void draw_layers(Sheet& sheet) {
     draw_outlines(sheet);
     // Counts are what a hit map is for: the sides must not hide them.
     if (sheet.ctx.state.look.hits) draw_numbers(sheet);
+    // First come, first served: the plates that follow make room for these.
+    if (const auto pixel = sheet.ctx.derived.pixel()) sheet.labels.block(current_place(sheet, *pixel));
+    block_corners(sheet);
+    std::vector<PositionBadge> badges;
+    if (sheet.ui().presenting()) badges = place_position_badges(sheet);
     if (sheet.planes || stage_name(sheet.ctx.derived) == "box") draw_box(sheet);
     draw_selections(sheet);
     draw_answer(sheet);
-    draw_current_pixel(sheet);
     draw_corners(sheet);
-    if (const auto pixel = sheet.ctx.derived.pixel())
-        sheet.labels.block(ui::grown_to(sheet.map.place_of(*pixel), 12).inset(-6, -6));
-    if (sheet.ui().presenting()) draw_position_badges(sheet);
+    draw_position_badges(sheet, badges);
     draw_corner_labels(sheet);
     if (sheet.sections) draw_section_marks(sheet);
     if (sheet.planes)
         draw_sign_badges(sheet);
     else
         draw_tilt(sheet);
+    draw_sample_note(sheet);
+    // Over all marks: nothing may hide where the cursor stands.
+    draw_current_pixel(sheet);
     draw_notices(sheet);
 }
 
@@ -107,7 +112,13 @@ void draw(const ViewContext& ctx, const ui::Area& place) {
                         std::max(1.0F, place.w - room.x - 2 * margin), std::max(1.0F, place.h - room.y - 2 * margin)};
     const CanvasMap map = make_map(area, frame, ctx.state.look);
     const CanvasPicture& picture = ctx.derived.canvas(window_in_view(map, frame));
-    Sheet sheet{ctx, map, picture, about_sides(ctx), has_sections(ctx.derived), LabelPlaces(area)};
+    Sheet sheet{ctx,
+                map,
+                picture,
+                about_sides(ctx),
+                has_sections(ctx.derived),
+                sample_offset(ctx.state, ctx.derived),
+                LabelPlaces(area)};
 
     ui.begin_clip(area);
     take_input(ctx, sheet);

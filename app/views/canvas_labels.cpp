@@ -26,7 +26,8 @@ bool LabelPlaces::is_free(const ui::Area& area) const {
            });
 }
 
-std::optional<ui::Area> LabelPlaces::place(glm::vec2 anchor, glm::vec2 size, glm::vec2 away, float gap) {
+std::optional<ui::Area> LabelPlaces::place(glm::vec2 anchor, glm::vec2 size, glm::vec2 away, float gap,
+                                           const std::function<bool(const ui::Area&)>& suits) {
     const float length = glm::length(away);
     const glm::vec2 way = length > 0 ? away / length : glm::vec2(0, -1);
     for (const float further : kFurther) {
@@ -35,7 +36,7 @@ std::optional<ui::Area> LabelPlaces::place(glm::vec2 anchor, glm::vec2 size, glm
             // The side of the plate that faces the anchor keeps the distance, not its middle.
             const glm::vec2 centre = anchor + to * (gap + further) + to * size / 2.0F;
             const ui::Area area{std::round(centre.x - size.x / 2), std::round(centre.y - size.y / 2), size.x, size.y};
-            if (!is_free(area)) continue;
+            if (!is_free(area) || (suits && !suits(area))) continue;
             block(area);
             return area;
         }

@@ -1,6 +1,7 @@
 // Finds room for plates on the canvas: none lies over another, and none leaves the panel.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -18,7 +19,9 @@ public:
 
     /// A free place of `size` at least `gap` from `anchor`: in the direction `away` where there is room, else turned
     /// from it as little as needed, else further off. It is taken from then on. Nothing where all is full.
-    std::optional<ui::Area> place(glm::vec2 anchor, glm::vec2 size, glm::vec2 away, float gap);
+    /// @param suits  what else a place must fulfil; empty for nothing.
+    std::optional<ui::Area> place(glm::vec2 anchor, glm::vec2 size, glm::vec2 away, float gap,
+                                  const std::function<bool(const ui::Area&)>& suits = {});
 
 private:
     ui::Area bounds_;

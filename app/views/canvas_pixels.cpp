@@ -6,7 +6,6 @@
 
 #include "app/ui/text.h"
 #include "app/views/canvas_parts.h"
-#include "core/conventions.h"
 
 namespace texelscope::canvas {
 namespace {
@@ -14,9 +13,9 @@ namespace {
 using ui::Role;
 
 constexpr float kGridFrom = 3, kGridFull = 9;  ///< window pixels per pixel: the grid appears, is all there
-constexpr float kDotsFrom = 6;                 ///< from here samples are drawn as dots
 constexpr float kNumbersFrom = 40;             ///< from here pixels say their colours [px at 100 %]
-constexpr float kCoveredFill = .66F, kRejectedFill = .85F, kOnceFill = .40F, kAgainFill = .45F, kAgainStep = .12F;
+constexpr float kCoveredFill = .66F, kRejectedFill = .85F, kEarlierFill = .30F, kOnceFill = .40F, kAgainFill = .45F,
+                kAgainStep = .12F;
 
 [[nodiscard]] Rgba rgba(ui::Color c, float alpha) {
     const auto byte = [c](int shift) { return static_cast<std::uint8_t>(c >> shift & 0xFFU); };
@@ -29,7 +28,8 @@ constexpr float kCoveredFill = .66F, kRejectedFill = .85F, kOnceFill = .40F, kAg
 /// What a cell shows. A black clear colour lets the canvas through: nothing is there.
 [[nodiscard]] Rgba shown(const Sheet& sheet, const CanvasCell& cell, Rgba empty) {
     if (sheet.planes) {
-        if (!cell.visited) return empty;
+        // What earlier shapes wrote stays, but weaker: the sides are the current shape's.
+        if (!cell.visited) return cell.written ? rgba(sheet.color(Role::covered), kEarlierFill) : empty;
         const bool covered = cell.fate == Fate::written;
         return rgba(sheet.color(covered ? Role::covered : Role::rejected), covered ? kCoveredFill : kRejectedFill);
     }
@@ -90,7 +90,7 @@ void dot(const Sheet& sheet, glm::vec2 at, float size, ui::Color color) {
 
 void draw_sample(const Sheet& sheet, glm::ivec2 pixel, const CanvasCell& cell, bool in_row) {
     const ui::Ui& ui = sheet.ui();
-    const glm::vec2 at = sheet.map.to_window(glm::dvec2(pixel) + kSample);
+    const glm::vec2 at = sheet.sample_place(pixel);
     const bool rejected = cell.fate != Fate::written;
     if (cell.visited && rejected && in_row && !sheet.planes) {
         ui::cross(sheet.list(), at, ui.px(2.5F), 1.3F, sheet.color(Role::muted));
@@ -217,6 +217,7 @@ void draw_row_band(const Sheet& sheet) {
 void draw_samples(const Sheet& sheet) {
     if (sheet.map.zoom < double{kDotsFrom} || sheet.ctx.state.look.hits) return;
     const auto row = sheet.ctx.derived.row();
+    const auto current = sheet.ctx.derived.pixel();  // draw_current_pixel() has its dot
     const Rect view =
         intersection(pixels_in_view(sheet.map, sheet.ctx.derived.scene().framebuffer), sheet.picture.window.rect);
     for (int y = view.y0; y < view.y1; ++y) {
@@ -224,6 +225,7 @@ void draw_samples(const Sheet& sheet) {
         if (!in_row && !sheet.planes) continue;
         for (int x = view.x0; x < view.x1; ++x) {
             const CanvasCell* cell = sheet.cell({x, y});
+            if (current == glm::ivec2(x, y)) continue;
             if (cell != nullptr && (cell->will_be_visited || cell->visited)) draw_sample(sheet, {x, y}, *cell, in_row);
         }
     }

@@ -20,6 +20,7 @@ using ui::Role;
 constexpr std::string_view kSamples = "{} × {} = {} samples", kTilt = "tilt";
 constexpr float kHatchStep = 11, kHatchAlpha = .30F, kOuterFill = .035F, kLineAlpha = .55F;
 constexpr float kLeastRegion = 900;  ///< a region smaller than this has no signs [px^2]
+constexpr float kAlongStep = 8;      ///< between the places that a plate at a side tries [px]
 constexpr float kTiltWidth = 116, kTiltHeight = 76, kTiltArrow = 34;
 
 /// E = x X + y Y + k over the screen, negative inside.
@@ -95,28 +96,13 @@ void draw_signs(const Sheet& sheet, const ui::Area& place, const std::array<std:
     return rect.empty() ? std::nullopt : std::optional(rect);
 }
 
-/// Whether the current shape's outline crosses `area`, or the picture reaches into it.
-[[nodiscard]] bool meets_shape(const Sheet& sheet, const ui::Area& area) {
-    const Derived& derived = sheet.ctx.derived;
-    const std::span<const Vertex> corners = derived.drawing().corners(derived.shape());
-    const Ring ring = ring_of(area);
-    for (const glm::vec2 at : {area.centre(), ring[0], ring[1], ring[2], ring[3]}) {
-        const CanvasCell* cell = sheet.cell(sheet.map.pixel_at(at));
-        if (cell != nullptr && cell->will_be_written) return true;
-    }
-    for (std::size_t n = 0; n < corners.size(); ++n) {
-        if (ui::clipped({sheet.place(corners[n]), sheet.place(corners[(n + 1) % corners.size()])}, ring)) return true;
-    }
-    return false;
-}
-
 [[nodiscard]] std::optional<ui::Area> tilt_place(const Sheet& sheet, glm::vec2 size) {
     const ui::Area a = sheet.map.area.inset(sheet.ui().px(12), sheet.ui().px(12));
     const float right = a.right() - size.x, bottom = a.bottom() - size.y;
     for (const glm::vec2 at :
          {glm::vec2(right, a.y), glm::vec2(a.x, a.y), glm::vec2(right, bottom), glm::vec2(a.x, bottom)}) {
         const ui::Area place{at.x, at.y, size.x, size.y};
-        if (sheet.labels.is_free(place) && !meets_shape(sheet, place)) return place;
+        if (sheet.labels.is_free(place) && !meets_picture(sheet, place)) return place;
     }
     return std::nullopt;
 }
@@ -135,6 +121,20 @@ void draw_gradient(const Sheet& sheet, glm::vec2 from, glm::vec2 by, Role role, 
     const float y =
         std::clamp(middle.y + letter.ascent / 2, within.y + letter.ascent + 1, within.bottom() - letter.descent - 1);
     ui.formula(letter, {x, y});
+}
+
+/// Outside the box, at its upper side and else at its lower one: as far right as there is room.
+[[nodiscard]] std::optional<ui::Area> place_along(Sheet& sheet, const ui::Area& box, glm::vec2 size) {
+    const float gap = sheet.ui().px(5);
+    for (const float y : {box.y - size.y - gap, box.bottom() + gap}) {
+        for (float x = box.right() - size.x; x >= box.x; x -= kAlongStep) {
+            const ui::Area plate{std::round(x), std::round(y), size.x, size.y};
+            if (!sheet.labels.is_free(plate)) continue;
+            sheet.labels.block(plate);
+            return plate;
+        }
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -210,11 +210,8 @@ void draw_box(Sheet& sheet) {
     const std::string text = fmt::format(kSamples, box->width(), box->height(), count);
     const ui::Font& font = ui.font(ui::Face::code_note);
     const glm::vec2 size{std::ceil(ui::text_width(font, text)) + 2 * ui.px(7), std::round(font.em * 1.6F)};
-    const ui::Area above{std::round(place.right() - size.x), std::round(place.y - size.y - ui.px(5)), size.x, size.y};
-    const bool room = sheet.labels.is_free(above);
-    if (room) sheet.labels.block(above);
-    const auto plate =
-        room ? std::optional(above) : sheet.labels.place({place.right(), place.y}, size, {-1, 1}, ui.px(4));
+    std::optional<ui::Area> plate = place_along(sheet, place, size);
+    if (!plate) plate = sheet.labels.place({place.right(), place.y}, size, {-1, 1}, ui.px(4));
     if (!plate) return;
     ui::fill(sheet.list(), *plate, ui.theme().canvas, ui::size::kBadgeRadius);
     ui::frame(sheet.list(), *plate, ui.theme().hairline, 1, ui::size::kBadgeRadius);

@@ -105,20 +105,33 @@ void draw_rulers(const Sheet& sheet, const ui::Area& panel) {
     Ruler(sheet, {panel.x, at.y, at.x - panel.x, at.h}, false).draw(view.y0, view.y1, down, current_row(sheet));
 }
 
-void draw_position_badges(Sheet& sheet) {
-    ui::Ui& ui = sheet.ui();
-    const auto draw = [&](glm::dvec2 scene, int value, bool column) {
-        const glm::vec2 at = sheet.map.to_window(scene + 0.5);
-        Tick badge = tick(ui, ui::Face::ruler_strong, at, value, ui.px(4));
-        const ui::Area& area = sheet.map.area;
-        badge.place.x = column ? std::clamp(badge.place.x, area.x, area.right() - badge.place.w) : area.x + 1;
-        badge.place.y = column ? area.y + 1 : std::clamp(badge.place.y, area.y, area.bottom() - badge.place.h);
-        draw_plate(ui, badge.place, badge.text, ui::Face::ruler_strong);
-        sheet.labels.block(badge.place);
+std::vector<PositionBadge> place_position_badges(Sheet& sheet) {
+    const ui::Ui& ui = sheet.ui();
+    const ui::Area& area = sheet.map.area;
+    const auto pixel = sheet.ctx.derived.pixel();
+    std::vector<PositionBadge> badges;
+    const auto add = [&](glm::dvec2 scene, int value, bool column) {
+        Tick badge = tick(ui, ui::Face::ruler_strong, sheet.map.to_window(scene + 0.5), value, ui.px(4));
+        ui::Area& at = badge.place;
+        at.x = column ? std::clamp(at.x, area.x, area.right() - at.w) : area.x + 1;
+        at.y = column ? area.y + 1 : std::clamp(at.y, area.y, area.bottom() - at.h);
+        if (pixel && !ui::intersection(at, current_place(sheet, *pixel)).empty()) {
+            if (column)
+                at.y = area.bottom() - at.h - 1;
+            else
+                at.x = area.right() - at.w - 1;
+        }
+        sheet.labels.block(at);
+        badges.push_back({at, std::move(badge.text)});
     };
     const auto column = current_column(sheet), row = current_row(sheet);
-    if (column) draw({*column, sheet.map.origin.y}, *column, true);
-    if (row) draw({sheet.map.origin.x, *row}, *row, false);
+    if (column) add({*column, sheet.map.origin.y}, *column, true);
+    if (row) add({sheet.map.origin.x, *row}, *row, false);
+    return badges;
+}
+
+void draw_position_badges(const Sheet& sheet, const std::vector<PositionBadge>& badges) {
+    for (const PositionBadge& badge : badges) draw_plate(sheet.ui(), badge.place, badge.text, ui::Face::ruler_strong);
 }
 
 }  // namespace texelscope::canvas

@@ -182,6 +182,14 @@ RingPoint at_height(const RingCorner& a, const RingCorner& b, double y) {
     return {std::lerp(a.x, b.x, t), std::lerp(a.u, b.u, t), std::lerp(a.v, b.v, t)};
 }
 
+bool runs_leftward(const SectionPicture& picture) {
+    const auto at = std::find_if(picture.sections.begin(), picture.sections.end(),
+                                 [](const SectionShape& section) { return section.current; });
+    if (at == picture.sections.end()) return false;
+    // A section's two sides may meet at one end, never at both.
+    return at->left_top.x + at->left_bottom.x > at->right_top.x + at->right_bottom.x;
+}
+
 SectionPicture sections_of(const Derived& derived) {
     SectionPicture picture;
     if (derived.shape() < 0 || derived.method().triangles) return picture;
@@ -210,14 +218,16 @@ void draw_sections(const Sheet& sheet) {
 
 void draw_section_marks(Sheet& sheet) {
     const ui::Theme& theme = sheet.ui().theme();
+    const SectionPicture picture = sections_of(sheet.ctx.derived);
     if (const auto row = row_place(sheet)) {
         const bool at_pixel = sheet.ctx.derived.pixel().has_value();
         ui::pixel_ring(sheet.list(), row->inset(2, 2), sheet.color(Role::now), theme.outline, at_pixel ? 1 : 2.5F, 1);
-        draw_pointer(sheet, {row->x, row->y}, -1, kLeft);
-        draw_pointer(sheet, {row->right(), row->y}, 1, kRight);
+        // The pointers are named after the ring: where it runs the other way round, "left" is at the right end.
+        const bool turned = runs_leftward(picture);
+        draw_pointer(sheet, {row->x, row->y}, -1, turned ? kRight : kLeft);
+        draw_pointer(sheet, {row->right(), row->y}, 1, turned ? kLeft : kRight);
         sheet.labels.block(*row);
     }
-    const SectionPicture picture = sections_of(sheet.ctx.derived);
     for (std::size_t n = 0; n < picture.sections.size(); ++n) {
         if (picture.sections[n].last > picture.sections[n].first)
             draw_number(sheet, picture.sections[n], static_cast<int>(n));

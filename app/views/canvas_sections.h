@@ -34,6 +34,9 @@ struct SectionPicture {
 inline constexpr std::size_t kMostSections = 32;
 [[nodiscard]] SectionPicture sections_of(const Derived& derived);
 
+/// Whether the pointer called "left" runs down the right side of the current section.
+[[nodiscard]] bool runs_leftward(const SectionPicture& picture);
+
 /// The point of the straight side from `a` to `b` at height `y`, kept between them.
 [[nodiscard]] RingPoint at_height(const RingCorner& a, const RingCorner& b, double y);
 

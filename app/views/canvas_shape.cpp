@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "app/ui/text.h"
 #include "app/ui/widgets.h"
@@ -25,6 +26,7 @@ constexpr std::string_view kNotice = "{}: nothing is drawn", kNoticeOf = "shape 
 constexpr std::size_t kMostOutlined = 400;  ///< polygons; more would hide the pixels
 constexpr std::size_t kMostHandles = 256;
 constexpr std::size_t kMostNotices = 6;
+constexpr float kNear = 16;      ///< coordinates stand at most so far from their corner [px at 100 %]
 constexpr float kFarOff = 4000;  ///< lines are cut this far outside the canvas [px]
 
 [[nodiscard]] std::array<glm::vec2, 4> square(const ui::Area& a) {
@@ -48,7 +50,9 @@ void draw_ring(const Sheet& sheet, std::span<const Vertex> corners, float width,
 
 void draw_triangle(const Sheet& sheet, std::span<const Vertex> corners) {
     const ui::Ui& ui = sheet.ui();
-    const float width = ui.presenting() ? ui::size::kEdgePresenting : ui::size::kEdge;
+    const float width = ui.presenting() ? ui::size::kEdgePresenting * ui.fonts().spec().scale : ui::size::kEdge;
+    // Counts lie under the sides of a hit map, in strong colours: the halo holds a side together there.
+    if (sheet.ctx.state.look.hits) draw_ring(sheet, corners, width + 2 * ui::size::kHalo, ui.theme().canvas);
     draw_ring(sheet, corners, width + ui::size::kHalo, ui::with_alpha(ui.theme().canvas, .8F));
     for (int e = 0; e < 3; ++e) {
         const Vertex &a = corners[static_cast<std::size_t>(e)], &b = corners[static_cast<std::size_t>((e + 1) % 3)];
@@ -92,10 +96,13 @@ struct Corner {
     return found;
 }
 
+[[nodiscard]] float ring_radius(const ui::Ui& ui) {
+    return ui.px(ui.presenting() ? ui::size::kVertexRingPresenting : ui::size::kVertexRing);
+}
+
 void draw_corner(Sheet& sheet, const Corner& corner, bool may_move) {
     ui::Ui& ui = sheet.ui();
-    const float radius =
-        corner.current ? (ui.presenting() ? ui::size::kVertexRingPresenting : ui.px(ui::size::kVertexRing)) : ui.px(4);
+    const float radius = corner.current ? ring_radius(ui) : ui.px(4);
     const float grab = std::max(ui::size::kVertexGrab, ui.px(ui::size::kVertexGrab));
     bool bright = sheet.ctx.state.handle == corner.handle;
     if (may_move) {
@@ -117,7 +124,6 @@ void draw_corner(Sheet& sheet, const Corner& corner, bool may_move) {
     }
     const ui::Color color = sheet.color(bright ? Role::now : corner.current ? Role::text : Role::muted);
     ui::vertex_ring(sheet.list(), corner.at, radius, color, ui.theme().canvas);
-    if (corner.current) sheet.labels.block({corner.at.x - radius, corner.at.y - radius, 2 * radius, 2 * radius});
 }
 
 struct CornerLabel {
@@ -141,7 +147,7 @@ struct CornerLabel {
 
 void draw_label(const Sheet& sheet, const CornerLabel& label, const ui::Area& place) {
     ui::Ui& ui = sheet.ui();
-    ui::fill(sheet.list(), place, ui::with_alpha(ui.theme().canvas, .86F), ui::size::kBadgeRadius);
+    ui::fill(sheet.list(), place, ui.theme().canvas, ui::size::kBadgeRadius);
     const float baseline = std::round(place.y + ui.px(2) + label.name.ascent);
     ui.formula(label.name, {place.x + ui.px(4), baseline});
     if (!label.coordinates.empty())
@@ -177,12 +183,23 @@ void draw_outlines(const Sheet& sheet) {
     if (current < 0) return;
     const std::span<const Vertex> corners = derived.drawing().corners(derived.shape());
     if (is_triangle(derived)) return draw_triangle(sheet, corners);
-    const float width = sheet.ui().presenting() ? ui::size::kEdgePresenting : 1.8F;
+    const ui::Ui& ui = sheet.ui();
+    const float width = ui.presenting() ? ui::size::kEdgePresenting * ui.fonts().spec().scale : 1.8F;
     draw_ring(sheet, corners, width + ui::size::kHalo, ui::with_alpha(sheet.ui().theme().canvas, .8F));
     draw_ring(sheet, corners, width, sheet.color(Role::text));
 }
 
+void block_corners(Sheet& sheet) {
+    if (hides_corners(sheet.ctx.state)) return;
+    const float radius = ring_radius(sheet.ui());
+    for (const Corner& corner : corners_in_view(sheet)) {
+        const glm::vec2 at = corner.at - radius;
+        if (corner.current) sheet.labels.block({at.x, at.y, 2 * radius, 2 * radius});
+    }
+}
+
 void draw_corners(Sheet& sheet) {
+    if (hides_corners(sheet.ctx.state)) return;
     const bool may_move = may_drag(sheet.ctx.state, false);
     for (const Corner& corner : corners_in_view(sheet)) {
         if (corner.current || may_move) draw_corner(sheet, corner, may_move);
@@ -191,10 +208,11 @@ void draw_corners(Sheet& sheet) {
 
 void draw_corner_labels(Sheet& sheet) {
     const Derived& derived = sheet.ctx.derived;
-    if (derived.shape() < 0) return;
+    if (derived.shape() < 0 || hides_corners(sheet.ctx.state)) return;
     const std::span<const Vertex> corners = derived.drawing().corners(derived.shape());
     const glm::vec2 middle = middle_of(sheet, corners);
-    const float ring = sheet.ui().px(ui::size::kVertexRing);
+    const float ring = ring_radius(sheet.ui());
+    const float near = ring + sheet.ui().px(kNear);
     constexpr std::size_t kMostLabels = 24;
     for (std::size_t n = 0; n < std::min(corners.size(), kMostLabels); ++n) {
         if (!is_finite(corners[n])) continue;
@@ -204,13 +222,42 @@ void draw_corner_labels(Sheet& sheet) {
         const Handle handle{current_polygon(derived), derived.drawing().vertex_of(derived.shape(), static_cast<int>(n)),
                             false};
         const bool with_coordinates = !plain || sheet.ctx.state.handle == handle;
-        for (const bool full : {true, false}) {
-            const CornerLabel label = corner_label(sheet, static_cast<int>(n), corners[n], full && with_coordinates);
-            const auto place = sheet.labels.place(at, label.size, at - middle, ring + 2);
+        // A name that is all to be read may stand further off than coordinates.
+        const auto beside = [&](const ui::Area& area, bool full) {
+            const glm::vec2 to = glm::clamp(at, {area.x, area.y}, {area.right(), area.bottom()}) - at;
+            return (!full || glm::length(to) <= near) && !meets_picture(sheet, area);
+        };
+        const auto draw = [&](bool full, bool anywhere) {
+            const CornerLabel label = corner_label(sheet, static_cast<int>(n), corners[n], full);
+            const auto suits = [&](const ui::Area& area) { return anywhere || beside(area, full); };
+            const auto place = sheet.labels.place(at, label.size, at - middle, ring + 2, suits);
             if (place) draw_label(sheet, label, *place);
-            if (place || !with_coordinates) break;
+            return place.has_value();
+        };
+        // Coordinates never cost a look at the picture; the name does where there is no other place.
+        const bool done = (with_coordinates && draw(true, false)) || draw(false, false);
+        if (!done) static_cast<void>(draw(false, true));
+    }
+}
+
+bool meets_picture(const Sheet& sheet, const ui::Area& area) {
+    const Derived& derived = sheet.ctx.derived;
+    const Window& window = sheet.picture.window;
+    const glm::ivec2 a = sheet.map.pixel_at({area.x, area.y}), b = sheet.map.pixel_at({area.right(), area.bottom()});
+    const Rect under = intersection({a.x, a.y, b.x + 1, b.y + 1}, window.rect);
+    for (int y = under.y0; y < under.y1; y += window.stride) {
+        for (int x = under.x0; x < under.x1; x += window.stride) {
+            const CanvasCell* cell = sheet.cell({x, y});
+            if (cell != nullptr && (cell->written || cell->will_be_written)) return true;
         }
     }
+    if (derived.shape() < 0) return false;
+    const std::span<const Vertex> corners = derived.drawing().corners(derived.shape());
+    for (std::size_t n = 0; n < corners.size(); ++n) {
+        const ui::Segment side{sheet.place(corners[n]), sheet.place(corners[(n + 1) % corners.size()])};
+        if (ui::clipped(side, square(area))) return true;
+    }
+    return false;
 }
 
 void draw_notices(Sheet& sheet) {

@@ -181,16 +181,21 @@ void draw_uv_arrows(const ViewContext& ctx, const TexelMap& map) {
 void draw_texture_outline(const ViewContext& ctx, const TexelMap& map) {
     const std::span<const Vertex> corners = corners_of(ctx.derived);
     const bool triangle = is_triangle(ctx.derived);
-    const float width = ctx.ui.presenting() ? ui::size::kEdgePresenting : triangle ? ui::size::kEdge : 1.8F;
+    const ui::Theme& theme = ctx.ui.theme();
+    const float width = ctx.ui.presenting() ? ui::size::kEdgePresenting * ctx.ui.fonts().spec().scale
+                        : triangle          ? ui::size::kEdge
+                                            : 1.8F;
+    // The sides have the canvas' colours; under dark ones the halo is light.
+    const bool dark_sides = triangle && theme.name == ui::ThemeName::light;
+    const ui::Color under = dark_sides ? IM_COL32(255, 255, 255, 255) : IM_COL32(0, 0, 0, 255);
     for (const bool halo : {true, false}) {
         for (std::size_t n = 0; n < corners.size(); ++n) {
             const Vertex &a = corners[n], &b = corners[(n + 1) % corners.size()];
             const int e = static_cast<int>(n);
             if (halo)
-                draw_side(ctx.ui.list(), map, a, b, width + ui::size::kHalo, IM_COL32(0, 0, 0, 255));
+                draw_side(ctx.ui.list(), map, a, b, width + ui::size::kHalo, under);
             else if (triangle)
-                draw_side(ctx.ui.list(), map, a, b, width, ui::make_theme(ui::ThemeName::dark)[ui::edge_role(e)],
-                          ui::edge_pattern(e));
+                draw_side(ctx.ui.list(), map, a, b, width, theme[ui::edge_role(e)], ui::edge_pattern(e));
             else
                 draw_side(ctx.ui.list(), map, a, b, width, IM_COL32(255, 255, 255, 255));
         }
@@ -198,6 +203,7 @@ void draw_texture_outline(const ViewContext& ctx, const TexelMap& map) {
 }
 
 void draw_texture_corners(const ViewContext& ctx, const TexelMap& map) {
+    if (hides_corners(ctx.state)) return;
     const std::span<const Vertex> corners = corners_of(ctx.derived);
     const bool may_move = may_drag(ctx.state, true);
     for (std::size_t n = 0; n < corners.size(); ++n) {

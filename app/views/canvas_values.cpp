@@ -1,9 +1,12 @@
 #include "app/views/canvas_values.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 
 #include "app/state/lesson_cursor.h"
+#include "core/conventions.h"
 
 namespace texelscope::canvas {
 
@@ -49,10 +52,39 @@ Pointing pointing(const State& state, Prediction::Kind kind) {
     return found;
 }
 
+bool pixel_question_ahead(const State& state) {
+    if (!state.document || !state.document->lesson) return false;
+    const std::vector<Beat>& beats = state.document->lesson->beats;
+    const auto settled = [&](int beat) {
+        return std::any_of(state.work.answers.begin(), state.work.answers.end(), [&](const Answer& answer) {
+            const bool done = answer.verdict == Answer::Verdict::right || answer.verdict == Answer::Verdict::skipped;
+            return answer.beat == beat && done;
+        });
+    };
+    for (int n = state.cursor.beat; n < static_cast<int>(beats.size()); ++n) {
+        const auto& asked = beats[static_cast<std::size_t>(n)].prediction;
+        if (asked && asked->kind == Prediction::Kind::pixel && !settled(n)) return true;
+    }
+    return false;
+}
+
 bool may_drag(const State& state, bool texture) {
     if (!state.document || !state.document->lesson) return true;
     const std::string& drag = state.document->lesson->drag;
     return drag.empty() || drag == "vertices" || drag == (texture ? "texture" : "screen");
+}
+
+bool hides_corners(const State& state) {
+    return state.document && state.document->lesson && state.document->lesson->drag == "none";
+}
+
+double sample_offset(const State& state, const Derived& derived) {
+    static constexpr std::array<std::string_view, 2> kAtTheCorner{"corners", "whole_pixels"};
+    const bool at_corner = std::any_of(kAtTheCorner.begin(), kAtTheCorner.end(), [&](std::string_view id) {
+        const int quirk = quirk_index(derived.method(), id);
+        return quirk >= 0 && (state.work.quirks >> quirk & 1U) != 0;
+    });
+    return at_corner ? 0 : kSample;
 }
 
 bool is_triangle(const Derived& derived) {

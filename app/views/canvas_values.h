@@ -24,8 +24,15 @@ struct Pointing {
 };
 [[nodiscard]] Pointing pointing(const State& state, Prediction::Kind kind);
 
+/// A pixel is asked for, here or later in the lesson, and the answer is still open: nothing may point at it.
+[[nodiscard]] bool pixel_question_ahead(const State& state);
+
 /// Whether the lesson lets corners be moved on the screen, or on the texture. Without a lesson both may.
 [[nodiscard]] bool may_drag(const State& state, bool texture);
+/// Corners are no subject of the lesson: neither handles nor names are drawn.
+[[nodiscard]] bool hides_corners(const State& state);
+/// Where in its pixel the method samples, along both axes: in the middle, or under some quirks at the top left [px].
+[[nodiscard]] double sample_offset(const State& state, const Derived& derived);
 /// The cursor's shape is a triangle with sides A, B and C.
 [[nodiscard]] bool is_triangle(const Derived& derived);
 /// The name of the cursor's stage; empty where it has none.

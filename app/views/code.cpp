@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -96,7 +98,7 @@ struct Columns {
     const auto all = derived.method().quirks;
     for (std::size_t n = 0; n < all.size(); ++n) {
         if ((quirks >> n & 1U) == 0) continue;
-        const int line = line_with(derived.listing(), "quirk." + std::string(all[n].field));
+        const int line = guilty_line(derived.listing(), all[n]);
         if (line > 0) lines.emplace(line, &all[n]);
     }
     return lines;
@@ -124,19 +126,14 @@ public:
         if (area_.h < 12 * row_height_) row_height_ = pitch(ui_, 17, ui::Face::code);
         area_.h = std::max(1.0F, std::floor(area_.h / row_height_)) * row_height_;  // whole rows, so that none is cut
         const float content = static_cast<float>(rows.size()) * row_height_;
-        const auto current =
-            std::find_if(rows.begin(), rows.end(), [&](const CodeRow& r) { return r.line == line_ && r.folded == 0; });
-        if (current != rows.end()) {
-            const float y = static_cast<float>(current - rows.begin()) * row_height_;
-            const float margin = std::floor(area_.h / row_height_ / 3) * row_height_;
-            follow(ui_, "code/scroll", area_.h, content, y - margin, std::min(content, y + row_height_ + margin),
-                   static_cast<float>(line_) + static_cast<float>(rows.size()) / 4096);
-        }
+        follow_rows(rows, content);
         const ui::Area inner = ui_.begin_scroll("code/scroll", {place_.x, area_.y, place_.right() - place_.x, area_.h});
-        for (std::size_t n = 0; n < rows.size(); ++n) {
-            const ui::Area row{inner.x, inner.y + static_cast<float>(n) * row_height_, inner.w, row_height_};
-            const bool ends = n + 1 == rows.size() || !rows[n + 1].continued;
-            if (row.bottom() > area_.y && row.y < area_.bottom()) draw_row(rows[n], row, ends);
+        for (std::size_t n = 0, end = 0; n < rows.size(); n = end) {
+            for (end = n + 1; end < rows.size() && rows[end].continued;) ++end;
+            const ui::Area line{inner.x, inner.y + static_cast<float>(n) * row_height_, inner.w,
+                                static_cast<float>(end - n) * row_height_};
+            if (line.bottom() > area_.y && line.y < area_.bottom())
+                draw_line(std::span(rows).subspan(n, end - n), line);
         }
         ui_.end_scroll(content);
     }
@@ -179,6 +176,8 @@ private:
         const std::vector<int> callers = callers_of(listing, functions, current);
         if (!callers.empty()) show(callers.front());
         const Visit& visit = context_.derived.visit();
+        const Selection& pinned = context_.state.pinned;
+        if (pinned.kind == Selection::Kind::line) show(function_at(functions, pinned.line));
         const std::int32_t now = current_name(context_.derived);
         if (now < 0) return shown;
         const auto& own = visit.unit().expressions;
@@ -186,13 +185,61 @@ private:
             const bool earlier = std::find(own.begin(), own.end(), n) == own.end();
             if (earlier) show(function_at(functions, visit.tape.names[static_cast<std::size_t>(n)].line));
         }
-        const Selection& pinned = context_.state.pinned;
-        if (pinned.kind == Selection::Kind::line) show(function_at(functions, pinned.line));
         return shown;
     }
 
+    /// The rows of a line, as places in the content; empty where it is folded.
+    struct Stretch {
+        float from = 0, to = 0;
+        [[nodiscard]] bool empty() const { return to <= from; }
+    };
+    [[nodiscard]] Stretch stretch_of(const std::vector<CodeRow>& rows, int line) const {
+        Stretch s;
+        for (std::size_t n = 0; line > 0 && n < rows.size(); ++n) {
+            if (rows[n].line != line || rows[n].folded > 0) continue;
+            if (s.empty()) s.from = static_cast<float>(n) * row_height_;
+            s.to = static_cast<float>(n + 1) * row_height_;
+        }
+        return s;
+    }
+    /// Shows the current line and the pinned one; where there is no room for both, the one that changed last, and
+    /// after a change of both the pinned one, which somebody speaks of.
+    void follow_rows(const std::vector<CodeRow>& rows, float content) {
+        const Selection& pinned = context_.state.pinned;
+        const int pin = pinned.kind == Selection::Kind::line ? pinned.line : 0;
+        const Stretch current = stretch_of(rows, line_), marked = stretch_of(rows, pin);
+        const auto changed = [&](std::string_view name, int now) {
+            float& seen = ui_.memory().fades[ui::id_of(name)].value;
+            return std::exchange(seen, static_cast<float>(now)) != static_cast<float>(now);
+        };
+        float& to_pin = ui_.memory().fades[ui::id_of("code/to-pin")].value;
+        if (changed("code/current", line_)) to_pin = 0;
+        if (changed("code/pinned", pin)) to_pin = 1;
+        const bool first = !marked.empty() && (current.empty() || to_pin > 0);
+        Stretch shown = first ? marked : current;
+        const Stretch both{std::min(current.from, marked.from), std::max(current.to, marked.to)};
+        if (!current.empty() && !marked.empty() && both.to - both.from <= area_.h) shown = both;
+        if (shown.empty()) return;
+        const float spare = std::max(0.0F, area_.h - (shown.to - shown.from));
+        const float margin = std::floor(std::min(area_.h / 3, spare / 2) / row_height_) * row_height_;
+        const std::size_t key =
+            (static_cast<std::size_t>(line_) * 131 + static_cast<std::size_t>(pin) * 17471 + rows.size()) % (1U << 23U);
+        follow(ui_, "code/scroll", area_.h, content, shown.from - margin, std::min(content, shown.to + margin),
+               static_cast<float>(key));
+    }
+
+    void draw_line(std::span<const CodeRow> rows, const ui::Area& line) {
+        const CodeRow& first = rows.front();
+        if (first.folded > 0) return draw_fold(first, line);
+        if (rows.size() > 1 || !first.text.empty()) act_on_line(first, line);
+        for (std::size_t n = 0; n < rows.size(); ++n) {
+            const ui::Area row{line.x, line.y + static_cast<float>(n) * row_height_, line.w, row_height_};
+            if (row.bottom() > area_.y && row.y < area_.bottom()) draw_row(rows[n], row, n + 1 == rows.size());
+        }
+        draw_ring(first.line, line);
+    }
+
     void draw_row(const CodeRow& row, const ui::Area& area, bool ends) {
-        if (row.folded > 0) return draw_fold(row, area);
         const bool current = row.line == line_;
         const float baseline = ui::baseline_at_middle(ui_.font(ui::Face::code), area.centre().y);
         const ui::Color ground = ui_.ground();
@@ -201,11 +248,11 @@ private:
             ui_.set_ground(ui::over(ui_.theme()[ui::Role::now], ui::alpha::kChosenRow, ground));
             if (!row.continued) draw_arrow(area);
         }
-        act_on_line(row, area);
         if (!row.continued) draw_gutter(row.line, area, baseline);
         float x = area.x + columns_.code;
-        for (const Token& token : tokens_of(row.text))
-            x += ui_.text(ui::Face::code, {x, baseline}, role_of(token.kind), token.text);
+        const std::vector<Token> tokens =
+            row.comment ? std::vector<Token>{{TokenKind::comment, row.text}} : tokens_of(row.text);
+        for (const Token& token : tokens) x += ui_.text(ui::Face::code, {x, baseline}, role_of(token.kind), token.text);
         if (ends) draw_ends(row.line, area, baseline, x);
         ui_.set_ground(ground);
     }
@@ -264,23 +311,25 @@ private:
             tip = fmt::format("**{}** {}", quirk->second->id, quirk->second->sentence);
         if (const auto note = notes_.find(row.line); note != notes_.end())
             tip += " " + tip_of(context_.derived.visit().tape, note->second);
-        const std::string name =
-            fmt::format("code/line{}{}", row.line, row.continued ? "+" + std::to_string(static_cast<int>(area.y)) : "");
-        const ui::Control control = ui_.control({name, area, ui::Kind::link, row.text, tip, true, !row.continued});
+        const std::string name = fmt::format("code/line{}", row.line);
+        const ui::Control control = ui_.control({name, area, ui::Kind::link, row.text, tip});
+        under_mouse_ = control.hovered ? row.line : under_mouse_;
         const Selection what{.kind = Selection::Kind::line, .line = row.line};
         if (control.hovered || (control.focused && ui_.memory().ring)) context_.act(action::Hover{what});
         if (control.clicked) context_.act(action::Pin{what});
+    }
+
+    /// One ring around all rows of a line, outside of its letters.
+    void draw_ring(int line, const ui::Area& area) {
         const auto has = [&](const Highlight& h) {
-            return std::find(h.lines.begin(), h.lines.end(), row.line) != h.lines.end();
+            return std::find(h.lines.begin(), h.lines.end(), line) != h.lines.end();
         };
-        if (has(context_.pinned) && row.line != line_)
-            ui::fill(ui_.list(), {area.x, area.y, ui_.px(3), area.h}, ui_.theme()[ui::Role::now]);
-        const bool thick = has(context_.pinned) && row.line != line_;
-        if (thick || (has(context_.hover) && row.line != line_) || control.hovered) {
-            const ui::Area frame{area.x + columns_.code - ui_.px(4), area.y, area.right() - area.x - columns_.code,
-                                 area.h};
-            draw_light(ui_, frame, thick ? Light::pinned : Light::hovered);
-        }
+        const bool current = line == line_, thick = has(context_.pinned) && !current;
+        if (thick) ui::fill(ui_.list(), {area.x, area.y, ui_.px(3), area.h}, ui_.theme()[ui::Role::now]);
+        if (!thick && under_mouse_ != line && (current || !has(context_.hover))) return;
+        const ui::Area frame{area.x + columns_.code - ui_.px(4), area.y - 1, area.right() - area.x - columns_.code,
+                             area.h + 2};
+        draw_light(ui_, frame, thick ? Light::pinned : Light::hovered);
     }
 
     void draw_fold(const CodeRow& row, const ui::Area& area) {
@@ -311,6 +360,7 @@ private:
     std::map<int, std::int32_t> notes_;
     std::map<int, const QuirkInfo*> quirks_;
     float row_height_ = 18;
+    int under_mouse_ = 0;  ///< the line
 };
 
 void draw(const ViewContext& context, const ui::Area& place) {

@@ -13,6 +13,7 @@ constexpr std::string_view kOneFold = "{}(), {} lines folded", kTwoFold = "{}(),
 constexpr std::string_view kManyFold = "{} functions, {} lines folded", kOtherFold = "{} lines folded";
 constexpr int kLeastFold = 3;  ///< fewer lines are shown rather than folded
 constexpr std::size_t kContinuation = 8;
+constexpr std::size_t kDeepest = 16;  ///< columns to which an indented line may have to move left
 
 [[nodiscard]] bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
@@ -33,6 +34,8 @@ constexpr std::size_t kContinuation = 8;
     }
     return balance;
 }
+
+constexpr int kMostOfSignature = 4;  ///< lines
 
 /// The name before the first parenthesis of a line that may begin a function; empty where it cannot.
 [[nodiscard]] std::string function_name(std::string_view line) {
@@ -63,11 +66,15 @@ std::vector<CodeFunction> functions_of(const Listing& listing) {
     std::vector<CodeFunction> functions;
     const int lines = static_cast<int>(listing.lines.size());
     for (int n = 1; n <= lines; ++n) {
-        const std::string& line = listing.lines[static_cast<std::size_t>(n) - 1];
-        std::string name = function_name(line);
+        // A signature may go on in the lines below.
+        std::string head = listing.lines[static_cast<std::size_t>(n) - 1];
+        int last = n;
+        while (!head.empty() && head.back() == ',' && last < std::min(lines, n + kMostOfSignature))
+            head += ' ' + std::string(trimmed(listing.lines[static_cast<std::size_t>(last++)]));
+        std::string name = function_name(head);
         if (name.empty()) continue;
-        CodeFunction function{std::move(name), n, n};
-        int depth = brace_balance(line);
+        CodeFunction function{std::move(name), n, last};
+        int depth = brace_balance(head);
         while (depth > 0 && function.last < lines)
             depth += brace_balance(listing.lines[static_cast<std::size_t>(function.last++)]);
         const int floor = functions.empty() ? 0 : functions.back().last;
@@ -140,25 +147,65 @@ std::vector<Token> tokens_of(std::string_view line) {
     return tokens;
 }
 
+namespace {
+
+constexpr int kBeforeComment = 8;
+
+/// How good a break before `line[at]` is, 0: none. Best is before a comment, then before an operator or between
+/// statements, then after a comma, before "=", at any space, and last after a bracket or before a member.
+[[nodiscard]] int break_quality(std::string_view line, std::size_t at) {
+    if (at == 0 || at >= line.size()) return 0;
+    const char before = line[at - 1];
+    if (line[at] != ' ') {
+        const bool bracket = before == '(' && line[at] != ')';
+        const bool member = line[at] == '.' && is_word(before) && at + 1 < line.size() && is_word(line[at + 1]) &&
+                            std::isdigit(static_cast<unsigned char>(line[at + 1])) == 0;
+        return bracket ? 2 : member ? 1 : 0;
+    }
+    const std::string_view next = line.substr(at + 1, 3);
+    if (next.substr(0, 2) == "//") return kBeforeComment;
+    const bool sign = next.size() == 3 && (next[1] == ' ' || next[2] == ' ') &&
+                      std::string_view("+-*/|&?:<>!=").find(next[0]) != std::string_view::npos;
+    if (sign && next[1] == ' ' && next[0] == '=') return 4;
+    if (sign && next[1] == ' ' && (next[0] == '*' || next[0] == '/')) return 6;  // a sum breaks between its terms
+    return sign || before == ';' ? 7 : before == ',' ? 5 : 3;
+}
+
+/// Where to break a line that has room for `room` letters: inside of as few brackets as may be, then where it is
+/// best, then as late as possible. 0 where there is no place.
+[[nodiscard]] std::size_t best_break(std::string_view line, std::size_t least, std::size_t room) {
+    constexpr int kNever = -1000, kBracket = 10;
+    std::size_t best = 0;
+    int quality = kNever, depth = 0;
+    const std::size_t comment = std::min(line.find("//"), line.size());
+    for (std::size_t at = 0; at <= room && at < line.size(); ++at) {
+        const int good = at > least ? break_quality(line, at) : 0;
+        const bool anywhere = good == kBeforeComment || at > comment;
+        const int here = good == 0 ? kNever : anywhere ? good : good - kBracket * depth;
+        if (here > kNever && here >= quality) quality = here, best = at;
+        if (line[at] == '(' || line[at] == '{') ++depth;
+        if (line[at] == ')' || line[at] == '}') --depth;
+    }
+    return best;
+}
+
+}  // namespace
+
 std::vector<std::string> broken(std::string_view line, int columns) {
     std::vector<std::string> rows;
-    const std::size_t first = std::min(line.find_first_not_of(' '), line.size());
     const auto most = static_cast<std::size_t>(std::max(16, columns));
+    std::size_t first = std::min(line.find_first_not_of(' '), line.size());
+    // What is far to the right is aligned with a line above; rather than being broken there it moves left.
+    if (line.size() > most && first > kDeepest) {
+        const std::size_t spare = std::min(first - kDeepest, line.size() - most);
+        line.remove_prefix(spare), first -= spare;
+    }
     std::size_t indent = 0;
     while (line.size() + indent > most) {
-        const std::size_t room = most - indent;
-        // The best place is before an operator, then after a comma, then any space; else in the word.
-        std::size_t best = 0;
-        int quality = 0;
-        for (std::size_t at = room; at > room / 2 && at > (indent == 0 ? first + 1 : 1); --at) {
-            if (at >= line.size() || line[at] != ' ') continue;
-            const std::string_view next = line.substr(at + 1, 3);
-            const bool before_operator = next.size() == 3 && (next[1] == ' ' || next[2] == ' ') &&
-                                         std::string_view("+-*/|&?:<>=").find(next[0]) != std::string_view::npos;
-            const int here = before_operator ? 3 : line[at - 1] == ',' ? 2 : 1;
-            if (here > quality) quality = here, best = at;
-        }
-        if (quality == 0) best = room;
+        const std::size_t room = most - indent, start = indent == 0 ? first + 1 : 1;
+        std::size_t best = best_break(line, std::max(room / 2, start), room);
+        if (best == 0) best = best_break(line, start, room);
+        if (best == 0) best = room;
         rows.push_back(std::string(indent, ' ') + std::string(line.substr(0, best)));
         line.remove_prefix(best);
         line = trimmed(line);
@@ -171,6 +218,7 @@ std::vector<std::string> broken(std::string_view line, int columns) {
 std::vector<CodeRow> rows_of(const Listing& listing, std::span<const CodeFunction> functions,
                              const CodeRowsSpec& spec) {
     std::vector<CodeRow> rows;
+    const Listing source = spec.plain ? without_trace(listing) : listing;
     const int lines = static_cast<int>(listing.lines.size());
     const auto contains = [](const std::vector<int>& all, int x) {
         return std::find(all.begin(), all.end(), x) != all.end();
@@ -183,12 +231,13 @@ std::vector<CodeRow> rows_of(const Listing& listing, std::span<const CodeFunctio
     for (const CodeFunction& f : functions)
         dedent = std::min(dedent, listing.lines[static_cast<std::size_t>(f.first) - 1].find_first_not_of(' '));
     const auto add_line = [&](int line) {
-        std::string text = listing.lines[static_cast<std::size_t>(line) - 1];
-        if (spec.plain) text = without_trace(text);
+        std::string text = source.lines[static_cast<std::size_t>(line) - 1];
         text.erase(0, std::min(std::min(dedent, text.find_first_not_of(' ')), text.size()));
-        bool continued = false;
+        bool continued = false, comment = false;
         for (std::string& part : broken(text, spec.columns)) {
-            rows.push_back({line, continued, 0, std::move(part)});
+            rows.push_back({line, continued, 0, std::move(part), comment});
+            const std::vector<Token> tokens = tokens_of(rows.back().text);
+            comment |= !tokens.empty() && tokens.back().kind == TokenKind::comment;
             continued = true;
         }
     };

@@ -38,9 +38,10 @@ struct CodeRow {
     bool continued = false;  ///< not the first row of its line
     int folded = 0;          ///< how many lines; 0: no fold
     std::string text;        ///< of a fold: what it hides
+    bool comment = false;    ///< goes on with a comment that began in a row above
 };
-/// Breaks a line into rows of at most `columns` characters, before operators where that is possible; what follows is
-/// indented further.
+/// Breaks a line into rows of at most `columns` characters, before operators where that is possible, in no word unless
+/// it is too long; what follows is indented further.
 [[nodiscard]] std::vector<std::string> broken(std::string_view line, int columns);
 
 struct CodeRowsSpec {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "app/ui/text.h"
 #include "app/views/canvas_sections.h"
@@ -55,6 +56,20 @@ void draw_number(const ViewContext& ctx, const Quad& quad, int index, const ui::
     ui.set_ground(plain);
 }
 
+/// The letter of a row's end, further out than the end.
+void draw_end(const ViewContext& ctx, glm::vec2 end, glm::vec2 outward, std::string_view name, const ui::Area& within) {
+    ui::Ui& ui = ctx.ui;
+    const ui::MathBox letter =
+        ui::set_math(ui::coloured(ui::symbol(name), Role::now), {.fonts = &ui.fonts(), .size = ui::MathSize::prose});
+    const float em = ui.font(ui::Face::prose).em;
+    const glm::vec2 size{std::ceil(letter.width) + ui.px(8), std::round(1.25F * em)};
+    const glm::vec2 low(within.x, within.y), high = glm::vec2(within.right(), within.bottom()) - size;
+    const glm::vec2 middle = end + outward * (ui.px(8) + size.x / 2);
+    const glm::vec2 at = glm::round(glm::clamp(middle - size / 2.0F, low, glm::max(low, high)));
+    ui::fill(ui.list(), {at.x, at.y, size.x, size.y}, ui.theme().canvas, ui::size::kBadgeRadius);
+    ui.formula(letter, {std::round(at.x + (size.x - letter.width) / 2), std::round(at.y + size.y / 2 + .33F * em)});
+}
+
 /// The current row from its left end to its right one, as traced.
 void draw_row(const ViewContext& ctx, const TexelMap& map) {
     const auto ul = number_of(ctx.derived, "u_l"), vl = number_of(ctx.derived, "v_l");
@@ -69,6 +84,9 @@ void draw_row(const ViewContext& ctx, const TexelMap& map) {
         list.AddCircleFilled(ui::to_im(end), ctx.ui.px(5.5F), outline);
         list.AddCircleFilled(ui::to_im(end), ctx.ui.px(4), now);
     }
+    const glm::vec2 way = b == a ? glm::vec2(1, 0) : glm::normalize(b - a);
+    draw_end(ctx, a, -way, "l", map.area);
+    draw_end(ctx, b, way, "r", map.area);
 }
 
 void draw(const ViewContext& ctx, const ui::Area& place) {

@@ -77,10 +77,8 @@ public:
         std::size_t lead = 0;
         const float width = area_.w - ui_.px(4);
         gather_footer(width);
-        if (shows_list(visit_, context_.state.cursor)) {
-            for (const std::int32_t n : listed_names(visit_))
-                blocks.push_back(formula_line(ui_.fonts(), visit_.tape, n, n == now_, width));
-        }
+        if (shows_list(visit_, context_.state.cursor))
+            blocks = formula_list(ui_.fonts(), visit_.tape, listed_names(visit_), now_, width);
         if (blocks.empty()) {
             const FormulaBlock main = formula_block(ui_.fonts(), visit_.tape, now_, true, width);
             blocks = setup_blocks(main, width);
@@ -92,6 +90,12 @@ public:
 
 private:
     [[nodiscard]] float least_gap() const { return ui_.px(9); }
+    /// How far formulas stand from the clip, so that the ring of a first term is inside of it.
+    [[nodiscard]] float inset_of(const std::vector<FormulaBlock>& blocks) const {
+        float widest = 0;
+        for (const FormulaBlock& block : blocks) widest = std::max(widest, block.box.width);
+        return std::floor(std::clamp(area_.w - widest, 0.0F, ui_.px(4)));
+    }
 
     /// As many of the formulas that the main one uses as there is room for.
     [[nodiscard]] std::vector<FormulaBlock> setup_blocks(const FormulaBlock& main, float width) const {
@@ -132,6 +136,7 @@ private:
     }
 
     void place(const std::vector<FormulaBlock>& blocks, std::size_t lead) {
+        const float inset = inset_of(blocks);
         float used = footer_height_;
         for (const FormulaBlock& block : blocks) used += block.box.height();
         const auto gaps = static_cast<float>(blocks.size() + (rows_ > 0 ? 1 : 0));
@@ -157,13 +162,15 @@ private:
         follow(ui_, "formula/scroll", area_.h, content, now_top, now_bottom, key);
         const ui::Area inner = ui_.begin_scroll("formula/scroll", area_);
         for (std::size_t n = 0; n < blocks.size(); ++n) {
-            const float top = inner.y + tops[n];
+            const float top = inner.y + tops[n], height = blocks[n].box.height();
+            const bool whole = top > area_.y - 1 && top + height < area_.bottom() + 1;
+            if (!whole && height <= area_.h) continue;  // no half a formula at the end of the panel
             if (n == lead && lead > 0)
                 ui::fill(ui_.list(), {inner.x, std::round(top - gap / 2), inner.w, 1}, ui_.theme().hairline);
             draw_terms(context_, fmt::format("formula/{}", n), visit_.tape, blocks[n].box,
-                       {inner.x, top + blocks[n].box.ascent});
+                       {inner.x + inset, top + blocks[n].box.ascent});
         }
-        draw_footer({inner.x, inner.y + y});
+        draw_footer({inner.x + inset, inner.y + y});
         ui_.end_scroll(content);
     }
 
@@ -171,7 +178,7 @@ private:
         float x = at.x, y = at.y + std::round(footer_pitch() * .62F);
         for (std::size_t n = 0; n < footer_.size(); ++n) {
             const float w = item_width(footer_[n]);
-            if (x > at.x && x + w > at.x + area_.w) x = at.x, y += footer_pitch();
+            if (x > at.x && x + w > area_.right()) x = at.x, y += footer_pitch();
             if (footer_[n].swatch) {
                 draw_swatch(ui_, {x, y}, channel(visit_.tape, colours_.r), channel(visit_.tape, colours_.g),
                             channel(visit_.tape, colours_.b));

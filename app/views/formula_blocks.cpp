@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -19,12 +20,19 @@ constexpr std::string_view kAreaNote = "$Δ = {}$ twice the area";
     return {.fonts = &fonts, .size = size, .fold_signs = fold};
 }
 
-/// A sum as links of the chain, so that it can be broken before any of its terms.
+/// A sum, or what is joined by "or", as links of the chain, so that it can be broken before any of its terms.
 void add_link(const ui::Expr& e, std::string_view sign, std::vector<ui::Expr>& parts, std::vector<std::string>& signs) {
     const auto term = [](const ui::Expr& t) {
         const bool wraps = t.op == ui::Op::sum || t.op == ui::Op::negation || (t.op == ui::Op::number && t.negative);
         return wraps ? ui::call("", {t}) : t;
     };
+    if (e.op == ui::Op::relation && e.link == 0 && e.signs.front() == "∨") {
+        for (std::size_t n = 0; n < e.parts.size(); ++n) {
+            parts.push_back(e.parts[n]);
+            signs.emplace_back(n == 0 ? sign : e.signs[n - 1]);
+        }
+        return;
+    }
     if (e.op != ui::Op::sum) {
         parts.push_back(e);
         signs.emplace_back(sign);
@@ -38,7 +46,7 @@ void add_link(const ui::Expr& e, std::string_view sign, std::vector<ui::Expr>& p
     }
 }
 
-[[nodiscard]] ui::Expr with_sums_open(const ui::Expr& chain) {
+[[nodiscard]] ui::Expr with_terms_open(const ui::Expr& chain) {
     std::vector<ui::Expr> parts{chain.parts.front()};
     std::vector<std::string> signs;
     for (std::size_t n = 1; n < chain.parts.size(); ++n) add_link(chain.parts[n], chain.signs[n - 1], parts, signs);
@@ -47,25 +55,36 @@ void add_link(const ui::Expr& e, std::string_view sign, std::vector<ui::Expr>& p
 
 constexpr std::array kSizes{ui::MathSize::row, ui::MathSize::prose, ui::MathSize::note};
 
-/// On one line where a size allows it, else broken.
-[[nodiscard]] ui::MathBox set_chain(const ui::Fonts& fonts, const ui::Expr& chain, float width) {
-    for (const ui::MathSize size : kSizes) {
-        ui::MathBox box = ui::set_math(chain, setting_of(fonts, size, size != ui::MathSize::row));
-        if (box.width <= width) return box;
+/// How a chain is set: on one line where a size allows it, else broken.
+struct ChainSize {
+    ui::MathSize size = ui::MathSize::note;
+    bool broken = false;
+};
+
+[[nodiscard]] ui::MathBox set_chain(const ui::Fonts& fonts, const ui::Expr& chain, const ChainSize& as, float width) {
+    const bool fold = as.broken || as.size != kSizes.front();
+    if (!as.broken) return ui::set_math(chain, setting_of(fonts, as.size, fold));
+    ui::MathBox box = ui::set_math_broken(chain, setting_of(fonts, as.size, fold), width);
+    if (box.width <= width || as.size != kSizes.back()) return box;
+    return ui::set_math_broken(with_terms_open(chain), setting_of(fonts, as.size, fold), width);
+}
+
+/// The largest size from `largest` on in which the chain fits.
+[[nodiscard]] ChainSize size_of(const ui::Fonts& fonts, const ui::Expr& chain, float width,
+                                ui::MathSize largest = kSizes.front()) {
+    for (const bool broken : {false, true}) {
+        for (const ui::MathSize size : kSizes) {
+            if (size <= largest && set_chain(fonts, chain, {size, broken}, width).width <= width) return {size, broken};
+        }
     }
-    ui::MathBox box;
-    for (const ui::MathSize size : kSizes) {
-        box = ui::set_math_broken(chain, setting_of(fonts, size, true), width);
-        if (box.width <= width) return box;
-    }
-    const ui::Expr open = with_sums_open(chain);
-    return ui::set_math_broken(open, setting_of(fonts, ui::MathSize::note, true), width);
+    return {kSizes.back(), true};
 }
 
 }  // namespace
 
 FormulaBlock formula_line(const ui::Fonts& fonts, const Tape& tape, std::int32_t named, bool marked, float width) {
-    return {set_chain(fonts, chain_of(math_of(tape, named), marked), width), named};
+    const ui::Expr chain = chain_of(math_of(tape, named), marked);
+    return {set_chain(fonts, chain, size_of(fonts, chain, width), width), named};
 }
 
 FormulaBlock formula_block(const ui::Fonts& fonts, const Tape& tape, std::int32_t named, bool marked, float width) {
@@ -85,6 +104,20 @@ FormulaBlock formula_block(const ui::Fonts& fonts, const Tape& tape, std::int32_
     return formula_line(fonts, tape, named, marked, width);
 }
 
+std::vector<FormulaBlock> formula_list(const ui::Fonts& fonts, const Tape& tape, std::span<const std::int32_t> names,
+                                       std::int32_t now, float width) {
+    std::vector<ui::Expr> chains;
+    ui::MathSize size = kSizes.front();
+    for (const std::int32_t n : names) {
+        chains.push_back(chain_of(math_of(tape, n), n == now));
+        size = std::min(size, size_of(fonts, chains.back(), width).size);
+    }
+    std::vector<FormulaBlock> blocks;
+    for (std::size_t n = 0; n < names.size(); ++n)
+        blocks.push_back({set_chain(fonts, chains[n], size_of(fonts, chains[n], width, size), width), names[n]});
+    return blocks;
+}
+
 bool shows_list(const Visit& visit, const Cursor& cursor) {
     if (cursor.step.at_expression()) return false;
     return !cursor.step.index_of('x') && visit.unit().expressions.size() > 1;
@@ -92,9 +125,13 @@ bool shows_list(const Visit& visit, const Cursor& cursor) {
 
 std::vector<std::int32_t> listed_names(const Visit& visit) {
     std::vector<std::int32_t> names;
-    for (const std::int32_t n : visit.unit().expressions) {
-        if (!trivial(visit.tape, n)) names.push_back(n);
+    std::set<std::string> later;
+    const auto& own = visit.unit().expressions;
+    for (auto n = own.rbegin(); n != own.rend(); ++n) {
+        const bool last = later.insert(visit.tape.names[static_cast<std::size_t>(*n)].name.text()).second;
+        if (last && !trivial(visit.tape, *n)) names.push_back(*n);
     }
+    std::reverse(names.begin(), names.end());
     return names;
 }
 

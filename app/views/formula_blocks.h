@@ -1,6 +1,7 @@
 // What the formula view shows at a step, before it is placed: formulas set as boxes that fit a width.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,9 +23,14 @@ struct FormulaBlock {
 [[nodiscard]] FormulaBlock formula_line(const ui::Fonts& fonts, const Tape& tape, std::int32_t named, bool marked,
                                         float width);
 
+/// A line for each name, all in the same size: the largest in which each of them can be set by itself.
+[[nodiscard]] std::vector<FormulaBlock> formula_list(const ui::Fonts& fonts, const Tape& tape,
+                                                     std::span<const std::int32_t> names, std::int32_t now,
+                                                     float width);
+
 /// Whether the step shows a whole list: a stage or a row, where no one expression is under work.
 [[nodiscard]] bool shows_list(const Visit& visit, const Cursor& cursor);
-/// The computed names of the current unit, in order.
+/// The computed names of the current unit, in order; one that was given twice stands where it was given last.
 [[nodiscard]] std::vector<std::int32_t> listed_names(const Visit& visit);
 /// The computed names that `named` was made from, in the order in which its formula has them: those of
 /// earlier units first.

@@ -10,6 +10,7 @@
 #include "app/state/lesson_cursor.h"
 #include "app/ui/text.h"
 #include "app/ui/widgets.h"
+#include "app/views/math_of_tape.h"
 #include "app/views/screen_parts.h"
 
 namespace texelscope {
@@ -221,13 +222,20 @@ void draw_crumbs(const ViewContext& c, float x, float right, float baseline) {
     ui::Ui& ui = c.ui;
     const std::vector<Crumb> all = crumbs(c.state, c.derived);
     const float gap = ui.px(6), step = ui.px(18), middle = baseline - ui.font(Face::title).x_height / 2;
-    for (std::size_t n = 0; n < all.size(); ++n) {
+    const auto what_width = [&](const Crumb& crumb) { return ui::text_width(ui.font(Face::title), crumb.what); };
+    const auto width_of = [&](const Crumb& crumb) {
+        return what_width(crumb) + (crumb.value.empty() ? 0 : gap + ui.rich_width(Face::code_note, crumb.value));
+    };
+    // Where they do not all fit, the innermost tell most: the shape is to be seen in the timeline.
+    std::size_t first = all.size();
+    for (float used = 0; first > 0; --first) {
+        used += width_of(all[first - 1]) + (first < all.size() ? step : 0);
+        if (x + used > right) break;
+    }
+    for (std::size_t n = first; n < all.size(); ++n) {
         const Crumb& crumb = all[n];
-        const float what = ui::text_width(ui.font(Face::title), crumb.what);
-        const float value = ui.rich_width(Face::code_note, crumb.value);
-        const float width = what + (crumb.value.empty() ? 0 : gap + value);
-        if (x + (n > 0 ? step : 0) + width > right) return;
-        if (n > 0) {
+        const float what = what_width(crumb), width = width_of(crumb);
+        if (n > first) {
             const float r = ui.px(4), mid = x + step / 2;
             ui::line(ui.list(), {mid - r / 2, middle - r}, {mid + r / 2, middle}, 1.3F, ui.theme()[Role::muted]);
             ui::line(ui.list(), {mid + r / 2, middle}, {mid - r / 2, middle + r}, 1.3F, ui.theme()[Role::muted]);
@@ -266,7 +274,8 @@ std::vector<Crumb> crumbs(const State& state, const Derived& derived) {
         } else if (part.letter == 's') {
             const Lane& stages = lanes[1];
             if (part.index < 0 || part.index >= static_cast<Integer>(stages.labels.size())) continue;
-            const std::string& name = stages.labels[static_cast<std::size_t>(part.index)];
+            const std::string& label = stages.labels[static_cast<std::size_t>(part.index)];
+            const std::string name = label == "delta" ? "Δ" : label;  // as on the timeline
             const std::size_t digit = name.find_last_of(' ');
             const bool numbered =
                 digit != std::string::npos && name.find_first_not_of("0123456789", digit + 1) == std::string::npos;
@@ -276,7 +285,7 @@ std::vector<Crumb> crumbs(const State& state, const Derived& derived) {
                 all.push_back({"stage", name, path});
         } else if (part.letter == 'e') {
             const Named* named = derived.named();
-            if (named != nullptr) all.push_back({"value", named->name.text(), step});
+            if (named != nullptr) all.push_back({"value", markup_of_name(named->name.text()), step});
         } else {
             all.push_back({part.letter == 'y'   ? "row"
                            : part.letter == 'x' ? "pixel"
@@ -312,10 +321,7 @@ void draw_header(const ViewContext& c, const Area& place) {
     const Area button{begin - ui.px(4), place.y + 4, x - begin + ui.px(8), place.h - 8};
     const ui::Control list = ui.control({"lessons", button, ui::Kind::button, kListTip, kListTip});
     if (list.hovered) ui::frame(ui.list(), button, ui.theme()[Role::now], 1, ui::size::kRadius);
-    if (list.clicked) {
-        if (lesson) c.act(action::ChooseLesson{state.document->lesson->number - 1});
-        c.act(action::Show{Overlay::lessons});
-    }
+    if (list.clicked) c.act(action::Show{Overlay::lessons});
     x += ui.px(28);
     if (state.overlay == Overlay::go_to) {
         const float height = std::min(ui.px(ui::size::kHeaderButton), place.h - 8),

@@ -10,6 +10,7 @@
 #include "app/state/lesson_cursor.h"
 #include "app/ui/text.h"
 #include "app/ui/widgets.h"
+#include "app/views/math_of_tape.h"
 #include "app/views/screen_parts.h"
 
 namespace texelscope {
@@ -163,10 +164,8 @@ private:
         const float pad = c_.ui.px(4), room = s.x1 - s.x0 - 2 * pad;
         const Face face = number ? Face::count : Face::note;
         const ui::Font& font = c_.ui.font(face);
-        const std::size_t under = expression ? text.find('_') : std::string::npos;
-        const std::string base = text.substr(0, under);
-        std::string sub = under == std::string::npos ? std::string() : text.substr(under + 1);
-        std::replace(sub.begin(), sub.end(), '_', ',');
+        const ui::Expr name = expression ? symbol_of_name(text) : ui::word(text);
+        const std::string &base = name.text, &sub = name.sub;
         const ui::Font& small = c_.ui.font(Face::ruler);
         const float width = ui::text_width(font, base) + (sub.empty() ? 0 : ui::text_width(small, sub) + 1);
         if (width > room) return;

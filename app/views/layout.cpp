@@ -14,11 +14,15 @@ constexpr float kHeader = 40, kTimeline = 88, kBottom = 96, kCanvasWidth = 656, 
 constexpr float kPresentingHeader = 56, kCaption = 72, kPresentingTimeline = 96, kTabStrip = 36;
 constexpr float kSideWidth = kWidth - kCanvasWidth;
 // Below these the side's panels are of no use beside each other, and the bottom row is too low to read.
-constexpr float kLeastSide = 420, kLeastColumn = 400, kLeastLesson = 128;
+constexpr float kLeastSide = 416, kLeastColumn = 210, kLeastLesson = 156;
 // Strips may take these shares of the window's height, however large the text.
 constexpr float kMostHeader = .14F, kMostTimeline = .25F, kMostCaption = .16F, kMostBottom = .24F;
 // Strips grow more slowly than text: a bar of one line has room to spare, a lane is no text.
 constexpr float kHeaderGrowth = .8F, kTimelineGrowth = .6F;
+
+// The presenter's text is twice as large to begin with: so much larger its lines still hold what 720 lines show.
+constexpr float kMostPresenting = 1;
+constexpr float kLeastScale = 1, kMostScale = 2.5F, kScaleStep = 8;
 
 struct Strips {
     float header, timeline, low;  ///< low: the bottom row's least height, or the caption
@@ -29,15 +33,14 @@ struct Strips {
 }
 
 [[nodiscard]] Strips strips(glm::vec2 window, const Look& look) {
-    const float scale = std::clamp(look.scale, 1.0F, 2.5F);
+    const float scale = text_scale(window, look);
     const float ratio = std::sqrt(std::max(1.0F, std::min(window.x / kWidth, window.y / kHeight)));
     const float header = std::max(std::pow(scale, kHeaderGrowth), ratio);
     const float timeline = std::max(std::pow(scale, kTimelineGrowth), ratio);
-    const float caption = std::max(std::pow(scale, kHeaderGrowth), ratio);
     if (look.presenting)
-        return {strip(kPresentingHeader, header, window.y * kMostHeader),
-                strip(kPresentingTimeline, timeline, window.y * kMostTimeline),
-                strip(kCaption, caption, window.y * kMostCaption)};
+        return {strip(kPresentingHeader, scale, window.y * kMostHeader),
+                strip(kPresentingTimeline, scale, window.y * kMostTimeline),
+                strip(kCaption, scale, window.y * kMostCaption)};
     return {strip(kHeader, header, window.y * kMostHeader), strip(kTimeline, timeline, window.y * kMostTimeline),
             strip(kBottom, scale, window.y * kMostBottom)};
 }
@@ -105,9 +108,17 @@ std::vector<Area> ScreenLayout::panels() const {
     return all;
 }
 
+float text_scale(glm::vec2 window, const Look& look) {
+    const float scale = std::clamp(look.scale, kLeastScale, kMostScale);
+    if (!look.presenting) return scale;
+    const float room = std::max(1.0F, std::min(window.x / kWidth, window.y / kHeight));
+    return std::clamp(std::floor(std::min(scale, kMostPresenting) * room * kScaleStep) / kScaleStep, kLeastScale,
+                      kMostScale);
+}
+
 ScreenLayout layout_screen(glm::vec2 window, const Look& look, SideCut cut) {
     window = {std::max(1.0F, std::floor(window.x)), std::max(1.0F, std::floor(window.y))};
-    const float scale = std::clamp(look.scale, 1.0F, 2.5F);
+    const float scale = text_scale(window, look);
     const Strips strip = strips(window, look);
     ScreenLayout at;
     at.header = {0, 0, window.x, strip.header};

@@ -23,6 +23,10 @@ inline constexpr float kCanvasShare = .35F;
 /// Text scale above which the side panels become one tabbed column. Narrow windows have it earlier.
 inline constexpr float kTabbedAbove = 1.5F;
 
+/// How much larger than in the reference text is: the person's choice, and while presenting the window's size.
+/// @return  [1, 2.5]; while presenting in steps of 1/8, so that a window being resized bakes few sizes of type.
+[[nodiscard]] float text_scale(glm::vec2 window, const Look& look);
+
 /// Places in whole pixels. One with no area is not shown.
 struct ScreenLayout {
     ui::Area header, canvas, timeline;  ///< always there
@@ -38,7 +42,6 @@ struct ScreenLayout {
 };
 
 /// @param window  [px], at least 1 x 1.
-/// @param scale   of text [1, 2.5].
 [[nodiscard]] ScreenLayout layout_screen(glm::vec2 window, const Look& look, SideCut cut = SideCut::usual);
 
 }  // namespace texelscope

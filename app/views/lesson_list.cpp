@@ -8,6 +8,7 @@
 #include "app/ui/text.h"
 #include "app/ui/widgets.h"
 #include "app/views/screen_parts.h"
+#include "app/views/terms.h"
 
 namespace texelscope {
 namespace {
@@ -45,29 +46,58 @@ public:
           row_(std::max(c.ui.px(32), std::round(c.ui.font(Face::prose).em * 1.7F))),
           heading_(std::round(row_ * .97F)) {}
 
-    /// @return the height of all.
-    float draw() {
+    /// Scrolls to the chosen lesson when another is chosen.
+    void draw() {
+        place();
+        const int chosen = c_.state.chosen_lesson;
+        for (const Line& line : lines_) {
+            if (line.entry != chosen) continue;
+            const float above = line.first ? heading_ : 0;  // its group's name is worth seeing, too
+            follow(c_.ui, kScroll, area_.h, height_, line.at.y - above, line.at.bottom(),
+                   static_cast<float>(chosen) + 1);
+        }
+        const Area inner = c_.ui.begin_scroll(kScroll, area_);
+        for (Line& line : lines_) {
+            line.at = line.at.moved(inner.x, inner.y);
+            const bool whole = line.at.y > area_.y - 1 && line.at.bottom() < area_.bottom() + 1;
+            if (line.entry >= 0)
+                draw_entry(line.entry, line.at, whole);
+            else if (whole)
+                draw_heading(line.group, line.at);
+        }
+        c_.ui.end_scroll(height_);
+    }
+
+private:
+    static constexpr std::string_view kScroll = "lessons/scroll";
+    struct Line {
+        Area at;  ///< in the content
+        int entry = -1;
+        std::string_view group;
+        bool first = false;  ///< of its group
+    };
+
+    void place() {
         const std::vector<Group> groups = groups_of(entries_);
         constexpr float kLeastColumn = 268;
         const bool two = area_.w >= 2 * kLeastColumn * (row_ / 32);
         const float gap = c_.ui.px(8), width = two ? std::floor((area_.w - gap) / 2) : area_.w;
         const auto rows = [&](const Group& g) { return heading_ + row_ * static_cast<float>(g.entries.size()); };
-        float all = 0, x = area_.x, y = area_.y, tallest = 0;
+        float all = 0, x = 0, y = 0, done = 0;
         for (const Group& g : groups) all += rows(g);
         bool right = !two;
-        float done = 0;
         for (const Group& g : groups) {
-            if (!right && done >= all / 2 - row_) right = true, x += width + gap, y = area_.y;
-            draw_heading(g.title, {x, y, width, heading_});
+            if (!right && done >= all / 2 - row_) right = true, x += width + gap, y = 0;
+            lines_.push_back({{x, y, width, heading_}, -1, g.title, false});
             y += heading_;
-            for (const int n : g.entries) draw_entry(n, {x, y, width, row_}), y += row_;
+            for (const int n : g.entries) {
+                lines_.push_back({{x, y, width, row_}, n, {}, n == g.entries.front()});
+                y += row_;
+            }
             done += rows(g);
-            tallest = std::max(tallest, y - area_.y);
+            height_ = std::max(height_, y);
         }
-        return tallest;
     }
-
-private:
     void draw_heading(std::string_view title, const Area& at) const {
         ui::Ui& ui = c_.ui;
         const float baseline = ui::baseline_at_middle(ui.font(Face::title), at.centre().y);
@@ -76,7 +106,7 @@ private:
                         x + ui.text_within(Face::title, {x, baseline}, at.w - ui.px(16), Role::muted, title) + ui.px(9);
         if (end < at.right() - ui.px(8)) ui::hairline(ui, {end, at.centre().y}, at.right() - ui.px(8) - end);
     }
-    void draw_entry(int n, const Area& at) const {
+    void draw_entry(int n, const Area& at, bool whole) const {
         ui::Ui& ui = c_.ui;
         const State& state = c_.state;
         const LessonEntry& entry = entries_[static_cast<std::size_t>(n)];
@@ -86,9 +116,10 @@ private:
         const Area box{at.x, at.y + 1, at.w, at.h - 2};
         const ui::Control control =
             ui.control({fmt::format("lesson/{}", entry.number), box, ui::Kind::button, entry.title});
-        if (control.clicked) c_.request({ShellRequest::What::open_lesson, entry.number});
-        const bool moved = ui.input().mouse != ui.memory().mouse;
+        const bool moved = whole && ui.input().mouse != ui.memory().mouse;
         if (((control.hovered && moved) || control.focused) && !chosen) c_.act(action::ChooseLesson{n});
+        if (!whole) return;  // no half a row at the end of the panel
+        if (control.clicked) c_.request({ShellRequest::What::open_lesson, entry.number});
         if (open) ui::current_row(ui, box);
         if (chosen || control.hovered) ui::frame(ui.list(), box, ui.theme()[Role::now], 1, ui::size::kRadius);
         ui.set_ground(open ? ui::over(ui.theme()[Role::now], ui::alpha::kChosenRow, ui.theme().panel)
@@ -127,7 +158,8 @@ private:
     const ViewContext& c_;
     std::span<const LessonEntry> entries_;
     Area area_;
-    float row_, heading_;
+    float row_, heading_, height_ = 0;
+    std::vector<Line> lines_;
 };
 
 /// The keys at the top right. @return where they begin.
@@ -165,9 +197,7 @@ void draw_lesson_list(const ViewContext& c, const Area& place, std::span<const L
     const float x = place.x + pad;
     ui.text_within(Face::title, {x, ui::baseline_at_middle(ui.font(Face::title), middle)}, keys - x, Role::muted,
                    kTitle);
-    const Area area = ui.begin_scroll("lessons/scroll", {x, place.y + head, place.w - 2 * pad, place.h - head - 2});
-    const float height = ListDrawer(c, entries, area).draw();
-    ui.end_scroll(height);
+    ListDrawer(c, entries, {x, place.y + head, place.w - 2 * pad, place.h - head - 2}).draw();
     ui.end_panel();
 }
 

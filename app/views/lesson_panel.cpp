@@ -73,9 +73,11 @@ public:
         width = std::min(std::ceil(width), area_.w);
         if (x_ > area_.x && x_ + width > area_.right()) x_ = area_.x, y_ += place_.row + place_.gap;
         const Area at{std::round(x_), y_, width, place_.row};
-        x_ += width + place_.gap - 1;
+        x_ += width + gap();
         return at;
     }
+    /// Between two controls in a row.
+    [[nodiscard]] float gap() const { return place_.gap - 1; }
     [[nodiscard]] bool fits(float width) const { return x_ + width <= area_.right(); }
     /// Moves on so that `width` ends at the right border, where it still fits into the row.
     void push_right(float width) {
@@ -110,10 +112,7 @@ public:
         const float y = area_.y + (open ? draw_ask() : draw_verdict()) + place_.gap;
         Flow flow({area_.x, y, area_.w, area_.h}, place_);
         draw_answers(flow);
-        if (open) {
-            draw_check(flow);
-            return draw_skip(flow.bottom() + ui().px(2)) - area_.y;
-        }
+        if (open) return draw_check(flow) - area_.y;
         draw_reason(flow);
         return flow.bottom() - area_.y;
     }
@@ -179,19 +178,24 @@ private:
                 .clicked)
             c_.act(action::Point{at});
     }
-    void draw_check(Flow& flow) const {
-        const float check = ui::button_width(ui(), kCheck);
-        flow.push_right(check);
+    /// Check at the right, where the verdict's reason will stand, and Skip before it where there is room, else below.
+    /// @return the bottom.
+    float draw_check(Flow& flow) const {
+        const float check = std::ceil(ui::button_width(ui(), kCheck)), skip = std::ceil(ui::button_width(ui(), kSkip));
+        const bool beside = flow.fits(skip + flow.gap() + check);
+        flow.push_right(beside ? skip + flow.gap() + check : check);
+        if (beside) draw_skip(flow.next(skip));
         if (ui::button(ui(), "prediction/check", flow.next(check), kCheck, kCheckTip).clicked) c_.act(action::Check{});
+        if (beside) return flow.bottom();
+        const float height = std::max(ui().px(24), ui().font(Face::title).em * 1.4F);
+        const Area below{area_.right() - skip, flow.bottom() + ui().px(2), skip, height};
+        draw_skip(below);
+        return below.bottom();
     }
-    /// At the right, where the verdict will stand. @return the bottom.
-    float draw_skip(float y) const {
+    void draw_skip(const Area& at) const {
         ui::ButtonStyle quiet;
         quiet.quiet = true;
-        const float width = ui::button_width(ui(), kSkip);
-        const Area at{area_.right() - width, y, width, std::max(ui().px(24), ui().font(Face::title).em * 1.4F)};
         if (ui::button(ui(), "prediction/skip", at, kSkip, kSkipTip, quiet).clicked) c_.act(action::Skip{});
-        return at.bottom();
     }
     /// A sign and the sentence. @return the height.
     float draw_verdict() const {

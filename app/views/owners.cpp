@@ -18,19 +18,28 @@ constexpr std::string_view kNoPixel = "Click a pixel on the canvas, or step into
 constexpr std::string_view kNobody = "No shape comes to this pixel.";
 constexpr std::string_view kPixel = "pixel {}, {}";
 constexpr std::string_view kWritten = "written {} times", kOnce = "written once", kNever = "not written";
+constexpr std::string_view kSoFar = "{} so far", kNotYet = "not written yet";
+constexpr std::string_view kUndecided = "undecided", kLater = "comes later";
 constexpr std::string_view kDoubles = "{} pixels drawn twice{}", kOneDouble = "1 pixel drawn twice{}",
                            kOrMore = " or more";
 constexpr std::string_view kNoDoubles = "no pixel drawn twice";
-constexpr std::string_view kOnSideOwned = "on side {}, which it owns",
-                           kOnSideOther = "on side {}, which belongs to the other";
+constexpr std::string_view kOnSide = "on side {}", kOnSideOwned = "on side {}, its own",
+                           kOnSideOther = "on side {}, not its own";
 constexpr std::string_view kGoTip = "Click to go to the step in which shape {} comes to this pixel.";
 constexpr std::size_t kMostShapes = 8;
 constexpr int kMostCounted = 1 << 18;  ///< samples of the framebuffer, times shapes, up to which doubles are counted
 
+struct OnSide {
+    int side = 0;
+    std::optional<bool> owned;  ///< nothing where that is not decided yet
+};
 struct Claim {
     int shape = 0;
     Sample sample;
-    std::vector<std::pair<int, bool>> on_sides;  ///< sides the sample lies exactly on, and whether they are the shape's
+    enum class Stage : std::uint8_t { later, at_work, decided } stage = Stage::later;  ///< at the cursor's step
+    std::vector<OnSide> on_sides;  ///< sides the sample lies exactly on, as far as the step knows
+
+    [[nodiscard]] bool written() const { return stage == Stage::decided && sample.fate == Fate::written; }
 };
 
 [[nodiscard]] std::optional<glm::ivec2> pixel_of(const ViewContext& context) {
@@ -47,27 +56,46 @@ struct Claim {
 }
 
 /// The sides on which the sample lies exactly, as the shape's own run has it.
-[[nodiscard]] std::vector<std::pair<int, bool>> sides_of(const Derived& derived, int shape, glm::ivec2 pixel) {
-    std::vector<std::pair<int, bool>> sides;
+[[nodiscard]] std::vector<OnSide> sides_of(const Derived& derived, int shape, glm::ivec2 pixel) {
+    std::vector<OnSide> sides;
     const auto path = derived.steps().at_pixel(shape, pixel.x, pixel.y);
     if (!path) return sides;
     const Tape& tape = derived.steps().at(*path).tape;
     for (int side = 0; side < 3; ++side) {
         const std::string letter(1, static_cast<char>('A' + side));
         const Value *e = value_of(tape, "E_" + letter), *owns = value_of(tape, "owns_" + letter);
-        if (e != nullptr && owns != nullptr && approximate(*e) == 0) sides.emplace_back(side, approximate(*owns) != 0);
+        if (e != nullptr && owns != nullptr && approximate(*e) == 0) sides.push_back({side, approximate(*owns) != 0});
     }
     return sides;
 }
 
-[[nodiscard]] std::vector<Claim> claims_of(const Derived& derived, glm::ivec2 pixel) {
+/// Those that the cursor's own pixel has found so far.
+[[nodiscard]] std::vector<OnSide> sides_so_far(const Derived& derived) {
+    std::vector<OnSide> sides;
+    for (const Variable& v : derived.variables()) {
+        if (v.own && v.name.substr(0, 2) == "E_" && approximate(v.value) == 0)
+            sides.push_back({edge_of_name(v.name), std::nullopt});
+    }
+    return sides;
+}
+
+/// Every shape that comes to the pixel, before the step or after it: what lies ahead is not told.
+[[nodiscard]] std::vector<Claim> claims_of(const Derived& derived, const Path& step, glm::ivec2 pixel) {
     std::vector<Claim> claims;
     const Drawing& drawing = derived.drawing();
     const Window window{{pixel.x, pixel.y, pixel.x + 1, pixel.y + 1}, 1};
     each_sample(drawing, 0, drawing.shape_count(), window, [&](int shape, const Sample& s) {
-        if (claims.size() < kMostShapes) claims.push_back({shape, s, {}});
+        if (claims.size() < kMostShapes) claims.push_back({shape, s, Claim::Stage::later, {}});
     });
-    for (Claim& claim : claims) claim.on_sides = sides_of(derived, claim.shape, pixel);
+    std::size_t come = 0;  // samples come in the same order
+    each_sample_until(drawing, 0, step, window, [&](int, const Sample&) { ++come; });
+    const auto own = static_cast<Integer>(derived.visit().unit().expressions.size());
+    const bool at_work = derived.pixel() == pixel && step.at_expression() && step.parts.back().index + 1 < own;
+    for (std::size_t n = 0; n < std::min(come, claims.size()); ++n) {
+        claims[n].stage = at_work && n + 1 == come ? Claim::Stage::at_work : Claim::Stage::decided;
+        const bool decided = claims[n].stage == Claim::Stage::decided;
+        claims[n].on_sides = decided ? sides_of(derived, claims[n].shape, pixel) : sides_so_far(derived);
+    }
     return claims;
 }
 
@@ -93,10 +121,38 @@ struct Doubles {
     return doubles;
 }
 
+void draw_doubles(const ViewContext& context, glm::vec2 pen, float width) {
+    const auto doubles = doubles_of(context.derived);
+    if (!doubles) return;
+    const std::string_view more = doubles->more ? kOrMore : std::string_view();
+    const std::string many =
+        doubles->pixels == 1 ? fmt::format(kOneDouble, more) : fmt::format(kDoubles, doubles->pixels, more);
+    const bool none = doubles->pixels == 0;
+    context.ui.text_within(ui::Face::lead, pen, width, none ? ui::Role::muted : ui::Role::text,
+                           none ? std::string(kNoDoubles) : many);
+}
+
+/// At a step outside of all pixels: what is true of all of them.
+void draw_without_pixel(const ViewContext& context, const ui::Area& area) {
+    ui::Ui& ui = context.ui;
+    const float line = pitch(ui, 20, ui::Face::prose), top = ui.px(8);
+    const ui::Area inner = ui.begin_scroll("owners/scroll", area);
+    float y = inner.y + line - ui.px(4);
+    draw_doubles(context, {inner.x, y}, inner.w);
+    ui::hairline(ui, {inner.x, std::round(y + line * .6F)}, inner.w);
+    y += line * .6F + top;
+    y += ui.prose("owners/hint", {inner.x, y, inner.w, inner.h}, ui::spans_of(kNoPixel, ui::Role::muted));
+    ui.end_scroll(y - inner.y);
+}
+
 class OwnersView {
 public:
     OwnersView(const ViewContext& context, const ui::Area& area, glm::ivec2 pixel)
-        : context_(context), ui_(context.ui), area_(area), pixel_(pixel), claims_(claims_of(context.derived, pixel)) {}
+        : context_(context),
+          ui_(context.ui),
+          area_(area),
+          pixel_(pixel),
+          claims_(claims_of(context.derived, context.state.cursor.step, pixel)) {}
 
     void draw() {
         const float line = pitch(ui_, 20, ui::Face::prose);
@@ -110,26 +166,20 @@ public:
         for (const Claim& claim : claims_) pen.y = draw_claim(claim, pen, inner.w, line);
         pen.y += ui_.px(4);
         ui::hairline(ui_, {inner.x, std::round(pen.y - line * .7F)}, inner.w);
-        if (const auto doubles = doubles_of(context_.derived)) {
-            const std::string_view more = doubles->more ? kOrMore : std::string_view();
-            const std::string many =
-                doubles->pixels == 1 ? fmt::format(kOneDouble, more) : fmt::format(kDoubles, doubles->pixels, more);
-            const std::string text = doubles->pixels == 0 ? std::string(kNoDoubles) : many;
-            pen.y += ui_.px(6);
-            ui_.text_within(ui::Face::lead, pen, inner.w, doubles->pixels == 0 ? ui::Role::muted : ui::Role::text,
-                            text);
-        }
+        draw_doubles(context_, {pen.x, pen.y + ui_.px(6)}, inner.w);
         ui_.end_scroll(static_cast<float>(lines) * line + ui_.px(20));
     }
 
 private:
     /// @return the baseline of its last line.
     float draw_head(glm::vec2 pen, float width, float line) {
-        const auto count = std::count_if(claims_.begin(), claims_.end(),
-                                         [](const Claim& c) { return c.sample.fate == Fate::written; });
-        const std::string text = count == 0   ? std::string(kNever)
-                                 : count == 1 ? std::string(kOnce)
-                                              : fmt::format(kWritten, count);
+        const auto count = std::count_if(claims_.begin(), claims_.end(), [](const Claim& c) { return c.written(); });
+        const bool open = std::any_of(claims_.begin(), claims_.end(),
+                                      [](const Claim& c) { return c.stage != Claim::Stage::decided; });
+        std::string text = count == 0   ? std::string(open ? kNotYet : kNever)
+                           : count == 1 ? std::string(kOnce)
+                                        : fmt::format(kWritten, count);
+        if (open && count > 0) text = fmt::format(kSoFar, text);
         const std::string where = fmt::format(kPixel, pixel_.x, pixel_.y);
         const float used = ui_.text_within(ui::Face::code, pen, width, ui::Role::text, where) + ui_.px(14);
         const bool beside = used + ui::text_width(ui_.font(ui::Face::prose), text) <= width;
@@ -140,7 +190,7 @@ private:
 
     /// Swatch, shape and fate; below them the sides that the sample lies on. @return the next baseline.
     float draw_claim(const Claim& claim, glm::vec2 pen, float width, float line) {
-        const bool written = claim.sample.fate == Fate::written;
+        const bool written = claim.written(), decided = claim.stage == Claim::Stage::decided;
         const ui::Area row{pen.x - ui_.px(6), std::round(pen.y - line * .72F), width + ui_.px(12), line};
         const std::string title =
             fmt::format("{} {}", context_.derived.method().triangles ? "triangle" : "polygon", claim.shape + 1);
@@ -156,20 +206,24 @@ private:
         const Rgb& c = claim.sample.colour;
         if (written)
             ui::fill(ui_.list(), swatch, ui::hex(static_cast<std::uint32_t>(c.r << 16 | c.g << 8 | c.b)), 2);
-        else
+        else if (decided)
             ui::cross(ui_.list(), swatch.centre(), side / 3, 1.5F, ui_.theme()[ui::Role::muted]);
-        if (written) ui::frame(ui_.list(), swatch, ui_.theme()[ui::Role::text], 1, 2);
+        if (written || !decided)
+            ui::frame(ui_.list(), swatch, ui_.theme()[written ? ui::Role::text : ui::Role::faint], 1, 2);
         const float used =
             indent + ui_.text_within(ui::Face::lead, {pen.x + indent, pen.y}, width - indent, ui::Role::text, title) +
             ui_.px(10);
         ui_.text_within(ui::Face::prose, {pen.x + used, pen.y}, width - used, ui::Role::muted,
-                        text_of(claim.sample.fate));
+                        decided                                ? text_of(claim.sample.fate)
+                        : claim.stage == Claim::Stage::at_work ? kUndecided
+                                                               : kLater);
         pen.y += line;
         for (const auto& [edge, owned] : claim.on_sides) {
             const glm::vec2 mark{pen.x + indent + ui_.px(4), pen.y - ui_.font(ui::Face::prose).cap / 2};
             ui::edge_mark(ui_.list(), edge, mark, ui_.px(4), ui_.theme()[ui::edge_role(edge)]);
             const std::string letter(1, static_cast<char>('A' + edge));
-            const std::string text = owned ? fmt::format(kOnSideOwned, letter) : fmt::format(kOnSideOther, letter);
+            const std::string_view how = !owned ? kOnSide : *owned ? kOnSideOwned : kOnSideOther;
+            const std::string text = fmt::format(fmt::runtime(how), letter);
             ui_.text_within(ui::Face::prose, {pen.x + indent + ui_.px(14), pen.y}, width - indent - ui_.px(14),
                             ui::Role::text, text);
             pen.y += line;
@@ -187,8 +241,10 @@ private:
 void draw(const ViewContext& context, const ui::Area& place) {
     const ui::Area area = begin_view(context, "owners", place, kTitle);
     const auto pixel = pixel_of(context);
-    if (context.derived.shape() < 0 || !pixel)
+    if (context.derived.shape() < 0)
         draw_empty(context, area, kNoPixel);
+    else if (!pixel)
+        draw_without_pixel(context, area);
     else
         OwnersView(context, area, *pixel).draw();
     context.ui.end_panel();

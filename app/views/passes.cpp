@@ -14,11 +14,11 @@
 namespace texelscope {
 namespace {
 
-constexpr std::string_view kTitle = "Passes over arrays";
+constexpr std::string_view kTitle = "Passes over arrays", kTab = "Passes";
 constexpr std::string_view kNoArrays =
     "The method runs as one loop over pixels. Switch its form **arrays** on to see the passes.";
 constexpr std::string_view kNoBox = "Nothing of the shape lies on the screen: there is no box to pass over.";
-constexpr std::string_view kStageTip = "{}. Click to go to the pass.";
+constexpr std::string_view kSoFar = "{} of {}", kStageTip = "{}. Click to go to the pass.";
 constexpr int kMostCells = 1 << 14;  ///< of a picture; larger boxes are thinned out
 
 enum class Pass : std::uint8_t { box, mask, indices, uv, store };
@@ -109,6 +109,7 @@ public:
         for (std::size_t n = 0; n < kPasses.size(); ++n) {
             if (kPasses[n].stage == name) current_ = static_cast<int>(n);
         }
+        if (!stage) current_ = static_cast<int>(kPasses.size());  // at the shape's end all passes are done
     }
 
     void draw() {
@@ -145,7 +146,7 @@ private:
         if (pass > current_) return false;
         const Path& step = context_.state.cursor.step;
         const auto y = step.index_of('y'), x = step.index_of('x');
-        if (!y) return pass == 0;
+        if (!y) return true;  // a stage's step is its end
         return s.y < *y || (s.y == *y && (!x || s.x <= *x));
     }
 
@@ -192,18 +193,29 @@ private:
         if (current) draw_element(picture);
         const float baseline = cell.y + caption - ui_.px(6);
         ui_.text_within(ui::Face::title, {cell.x, baseline}, cell.w, current ? ui::Role::now : ui::Role::text,
-                        fmt::format("{} {}", n + 1, info.stage));
+                        title(n));
         const ui::Font& font = ui_.font(ui::Face::count);
         ui_.text_within(ui::Face::count, {cell.x, picture.bottom() + ui_.px(5) + font.cap}, cell.w, ui::Role::muted,
-                        note(info.pass));
+                        note(n));
     }
 
-    [[nodiscard]] std::string note(Pass pass) const {
+    /// The box is no pass: those that run over it are numbered.
+    [[nodiscard]] static std::string title(int n) {
+        const std::string stage(kPasses[static_cast<std::size_t>(n)].stage);
+        return n == 0 ? stage : fmt::format("{} {}", n, stage);
+    }
+
+    /// What the pass has come to: all samples of the box in the mask, later only those inside.
+    [[nodiscard]] std::string note(int n) const {
         const Rect& box = samples_.window.rect;
-        if (pass == Pass::box) return fmt::format("{} × {}", box.width(), box.height());
+        if (n == 0) return fmt::format("{} × {}", box.width(), box.height());
         if (samples_.window.stride > 1) return {};  // thinned out: the counts would be estimates
-        if (pass == Pass::indices) return fmt::format("{} inside", samples_.inside);
-        return std::to_string(pass == Pass::mask ? samples_.tested : samples_.inside);
+        const bool mask = kPasses[static_cast<std::size_t>(n)].pass == Pass::mask;
+        const Integer all = mask ? samples_.tested : samples_.inside;
+        const Integer done = std::count_if(
+            samples_.cells.data(), samples_.cells.data() + samples_.cells.size(),
+            [&](const std::optional<Sample>& s) { return s && (mask || s->fate == Fate::written) && reached(n, *s); });
+        return done < all ? fmt::format(kSoFar, done, all) : fmt::format("{}", all);
     }
 
     void draw_element(const ui::Area& picture) {
@@ -251,7 +263,7 @@ void draw(const ViewContext& context, const ui::Area& place) {
     context.ui.end_panel();
 }
 
-constexpr View kView{"passes", kTitle, draw};
+constexpr View kView{"passes", kTab, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace

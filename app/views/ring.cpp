@@ -13,7 +13,7 @@
 namespace texelscope {
 namespace {
 
-constexpr std::string_view kTitle = "Ring, written twice", kNote = "corner / y";
+constexpr std::string_view kTitle = "Ring, written twice", kTab = "Ring", kNote = "corner / y";
 constexpr std::string_view kNoRing =
     "Only methods that run along a polygon's sides have a ring. Choose the method sections.";
 constexpr std::string_view kNoSection = "Step into a section to see its two pointers.";
@@ -82,19 +82,26 @@ public:
     [[nodiscard]] bool empty() const { return ring_.corners.empty() || ring_.sections.empty(); }
 
     void draw() {
-        const float label = pitch(ui_, 17, ui::Face::title), box = 2 * pitch(ui_, 16, ui::Face::code) + ui_.px(6);
-        const float top = area_.y + label + ui_.px(13);
+        const float label = pitch(ui_, 17, ui::Face::title), box = 2 * pitch(ui_, 16, ui::Face::code) + ui_.px(2);
+        const float top = area_.y + label + beside_text(9);
         boxes_ = {area_.x, top, area_.w, box};
         draw_ring();
-        const ui::Area bar{area_.x + ui_.px(14), boxes_.bottom() + label + ui_.px(16), area_.w - ui_.px(20),
-                           ui_.px(14)};
+        const ui::MathBox letter = ui::set_math(ui::symbol("y"), {.fonts = &ui_.fonts(), .size = ui::MathSize::note});
+        const float left = std::ceil(letter.width) + beside_text(6);
+        const ui::Area bar{area_.x + left, boxes_.bottom() + label + beside_text(11), area_.w - left - ui_.px(6),
+                           beside_text(12)};
+        ui_.formula(letter, {area_.x, bar.bottom() - beside_text(2)});
         draw_bar(bar);
-        const float line = bar.bottom() + pitch(ui_, 15, ui::Face::count) + ui_.px(4);
+        const float line = bar.bottom() + pitch(ui_, 15, ui::Face::count) + ui_.px(2);
         ui::hairline(ui_, {area_.x - ui_.px(12), line}, area_.w + ui_.px(24));
         draw_formulas({area_.x, line + 1, area_.w, area_.bottom() - line - 1});
     }
 
 private:
+    /// A length that goes with the titles' letters: while presenting they grow more than px() does.
+    [[nodiscard]] float beside_text(float at_100) const {
+        return std::round(at_100 * ui_.font(ui::Face::title).em / ui::face_px(ui::Face::title, {}));
+    }
     [[nodiscard]] int count() const { return static_cast<int>(ring_.corners.size()); }
     [[nodiscard]] ui::Area cell(int place) const {
         const float w = std::floor(boxes_.w / static_cast<float>(2 * count()));
@@ -141,17 +148,17 @@ private:
     /// A triangle at the box, the pointer's name, and an arrow to where it will go.
     void draw_pointer(const ui::Area& at, std::string_view name, bool above) {
         const ui::Color now = ui_.theme()[ui::Role::now];
-        const float x = std::round(at.centre().x), side = ui_.px(5), gap = ui_.px(4);
+        const float x = std::round(at.centre().x), side = beside_text(5), gap = beside_text(4);
         const float y = above ? at.y - gap : at.bottom() + gap, tail = above ? y - side * 1.6F : y + side * 1.6F;
         const glm::vec2 corners[] = {{x - side, tail}, {x + side, tail}, {x, y}};
         ui::fill_convex(ui_.list(), corners, now);
-        const float middle = (y + tail) / 2, reach = ui_.px(24), from = ui_.px(9);
+        const float middle = (y + tail) / 2, reach = beside_text(24), from = beside_text(9);
         ui::arrow(ui_.list(), {x + (above ? from : -from), middle},
-                  {x + (above ? from + reach : -from - reach), middle}, ui_.px(2), now, ui_.px(6));
+                  {x + (above ? from + reach : -from - reach), middle}, ui_.px(2), now, beside_text(6));
         const ui::Font& font = ui_.font(ui::Face::title);
         const float width = ui::text_width(font, name),
                     left = std::clamp(x - width / 2, area_.x, area_.right() - width);
-        const float baseline = above ? tail - ui_.px(4) : tail + ui_.px(3) + font.cap;
+        const float baseline = above ? tail - beside_text(4) : tail + beside_text(3) + font.cap;
         ui_.text(ui::Face::title, {left, std::round(baseline)}, ui::Role::now, name);
     }
 
@@ -162,8 +169,6 @@ private:
             return std::round(bar.x + static_cast<float>((y - first) / (last - first)) * bar.w);
         };
         const ui::Font& font = ui_.font(ui::Face::count);
-        const ui::MathBox letter = ui::set_math(ui::symbol("y"), {.fonts = &ui_.fonts(), .size = ui::MathSize::note});
-        ui_.formula(letter, {area_.x, bar.bottom() - ui_.px(3)});
         float free = area_.x;
         const auto label = [&](double y) {
             const std::string text = shown_number(Value(y), 2).text;
@@ -214,7 +219,8 @@ private:
             return draw_empty(context_, area.inset(0, ui_.px(6)), ring_.current < 0 ? kNoSection : kNoRow);
         float used = 0, content = 0;
         for (const ui::MathBox& box : lines) used += box.height();
-        const float gap = std::max(ui_.px(8), std::floor((area.h - used) / static_cast<float>(lines.size() + 1)));
+        const float gap =
+            std::max(ui_.px(kLeastGap), std::floor((area.h - used) / static_cast<float>(lines.size() + 1)));
         content = used + gap * static_cast<float>(lines.size() + 1);
         foresee(ui_, "ring/scroll", content);
         const ui::Area inner = ui_.begin_scroll("ring/scroll", area);
@@ -247,7 +253,7 @@ private:
             const float gap = ui_.px(size == ui::MathSize::note ? 10 : 16);
             if (left.width + gap + right.width <= width - ui_.px(8)) return beside(left, right, gap);
             const ui::MathBox both[] = {left, ui::set_math_broken(second, setting, width)};
-            box = ui::stacked(both, ui_.px(6));
+            box = ui::stacked(both, ui_.px(kLeastGap));
         }
         return box;
     }
@@ -273,6 +279,7 @@ private:
         return visit_.tape.operations[static_cast<std::size_t>(at)];
     }
 
+    static constexpr float kLeastGap = 3;  ///< between lines: with it two rows' four fit where the panel is lowest
     static constexpr std::string_view kNoRow = "Step into a row to see where it meets the two sides.";
 
     const ViewContext& context_;
@@ -292,7 +299,7 @@ void draw(const ViewContext& context, const ui::Area& place) {
     context.ui.end_panel();
 }
 
-constexpr View kView{"ring", kTitle, draw};
+constexpr View kView{"ring", kTab, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace

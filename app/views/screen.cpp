@@ -81,11 +81,9 @@ void draw_side(const ViewContext& c, const ScreenLayout& at, std::span<const Les
     if (at.side.empty()) return;
     if (c.state.overlay == Overlay::keys) return draw_keys_panel(c, at.side);
     if (c.state.overlay == Overlay::lessons) {
-        const float summary = at.lesson.empty() ? std::min(at.side.h * .3F, c.ui.px(140)) : 0;
-        const Area list{at.side.x, at.side.y, at.side.w, at.side.h - summary};
-        draw_lesson_list(c, list, entries);
-        if (summary > 0) draw_lesson_summary(c, {list.x, list.bottom(), list.w, summary}, entries);
-        return;
+        // Beside tabs there is too little room for both: rows of the list are worth more than a summary.
+        const float height = at.tabbed && !at.lesson.empty() ? at.lesson.bottom() - at.side.y : at.side.h;
+        return draw_lesson_list(c, {at.side.x, at.side.y, at.side.w, height}, entries);
     }
     if (at.tabbed)
         draw_tabs(c, at);
@@ -147,10 +145,10 @@ void draw_screen(const ViewContext& c) {
     draw_view(c, kCanvas, at.canvas);
     draw_side(c, at, entries);
     draw_view(c, kVariables, at.variables);
-    if (c.state.overlay == Overlay::lessons)
-        draw_lesson_summary(c, at.lesson, entries);
-    else
+    if (c.state.overlay != Overlay::lessons)
         draw_lesson_panel(c, at.lesson);
+    else if (!at.tabbed)
+        draw_lesson_summary(c, at.lesson, entries);
     if (presenting)
         draw_caption(c, at.caption), draw_presenter_timeline(c, at.timeline);
     else

@@ -16,9 +16,9 @@ using ui::Role;
 
 constexpr std::string_view kTitle = "Signs", kNote = "inside: all −";
 constexpr std::string_view kNotComputed = "not computed", kNoSample = "Step to a pixel: its three signs show here.";
-constexpr std::string_view kOutside = "outside {}, so rejected", kInside = "inside A, B and C, so drawn";
+constexpr std::string_view kRejected = "{}, so rejected", kInside = "inside A, B and C, so drawn";
 constexpr std::string_view kUndecided = "undecided: {} to go";
-constexpr std::string_view kOwned = "on {}, which owns it", kNotOwned = "on {}, which does not own it";
+constexpr std::string_view kOwned = "on side {}, its own", kNotOwned = "on side {}, not its own";
 constexpr std::string_view kTip = "$E_{}$ is negative on the inner side of {}, positive on the outer side, zero on it.";
 constexpr float kRow = 44, kVerdict = 36, kMark = 4.5F, kBar = 6;
 
@@ -107,7 +107,7 @@ struct Verdict {
         const char letter = static_cast<char>('A' + e);
         if (!sign.inside) ++open;
         if (sign.inside && !*sign.inside && sign.value == 0.0) return {fmt::format(kNotOwned, letter), e};
-        if (sign.inside && !*sign.inside) return {fmt::format(kOutside, letter), e};
+        if (sign.inside && !*sign.inside) return {fmt::format(kRejected, text_of(outside_edge(e))), e};
         const bool last = e == 2 || !signs[static_cast<std::size_t>(e + 1)].value;
         if (sign.inside && sign.value == 0.0 && sign.owns == true && last) return {fmt::format(kOwned, letter), e};
     }

@@ -175,7 +175,7 @@ void draw_terms(const ViewContext& context, std::string_view name, const Tape& t
         const auto handle = handle_of(context.derived.drawing(), shape, tape, named);
         std::string tip = tip_of(tape, named);
         if (handle) tip += ". " + std::string(kDragHint);
-        const ui::Area area = box.links[n].area.moved(pen.x, pen.y), plate = area.inset(-ui.px(4), -ui.px(4));
+        const ui::Area area = box.links[n].area.moved(pen.x, pen.y), plate = area.inset(-ui.px(3), -ui.px(4));
         const ui::Control control = ui.control({full, area, ui::Kind::link, text, tip});
         const bool dragged = control.dragging && handle;
         if (handle && control.held) drag(context, control, *handle, text[0] == 'x' || text[0] == 'u');

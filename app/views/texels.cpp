@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
 #include "app/views/canvas_texture.h"
 #include "app/views/canvas_values.h"
 
@@ -12,6 +14,8 @@ using ui::Role;
 
 constexpr std::string_view kTitle = "Texels";
 constexpr std::size_t kMostDots = 400;  ///< samples of a row that are drawn as dots; more would be a line
+constexpr float kRoomy = 9;             ///< samples so far apart have full dots [px at 100 %]
+constexpr float kLeastApart = 3.2F;     ///< nearer ones are the line alone [px]
 
 /// Whether a sample of the current row lies before or at the cursor's.
 [[nodiscard]] std::size_t done_count(const Derived& derived, const std::vector<Sample>& samples) {
@@ -22,13 +26,23 @@ constexpr std::size_t kMostDots = 400;  ///< samples of a row that are drawn as 
     return static_cast<std::size_t>(at - samples.begin()) + (at != samples.end() ? 1 : 0);
 }
 
+/// A sample of the row on the texture.
+struct Stop {
+    glm::vec2 at;
+    bool done;
+};
+
+/// Dots that would run into a bar: smaller ones, each apart from the next, those to come in grey.
+void draw_close(ImDrawList& list, const std::vector<Stop>& path, float away, ui::Color now) {
+    const float radius = std::max(1.0F, away * .3F);
+    ui::line(list, path.front().at, path.back().at, 2 * radius + 3, IM_COL32(0, 0, 0, 255));
+    for (const Stop& stop : path)
+        list.AddCircleFilled(ui::to_im(stop.at), radius, stop.done ? now : IM_COL32(150, 150, 150, 255), 12);
+}
+
 void draw_path(const ViewContext& ctx, const TexelMap& map) {
     const std::vector<Sample>& samples = ctx.derived.row_samples();
     const std::size_t done = done_count(ctx.derived, samples);
-    struct Stop {
-        glm::vec2 at;
-        bool done;
-    };
     std::vector<Stop> path;
     for (std::size_t n = 0; n < samples.size(); ++n) {
         const Sample& s = samples[n];
@@ -44,6 +58,11 @@ void draw_path(const ViewContext& ctx, const TexelMap& map) {
         ui::line(list, path.front().at, path.back().at, 1.4F, now);
     }
     if (path.size() > kMostDots) return;
+    const float away = path.size() > 1
+                           ? glm::length(path.back().at - path.front().at) / static_cast<float>(path.size() - 1)
+                           : ctx.ui.px(kRoomy);
+    if (away < kLeastApart) return;
+    if (away < ctx.ui.px(kRoomy)) return draw_close(list, path, away, now);
     const float radius = ctx.ui.px(2.6F);
     for (const Stop& stop : path) {
         list.AddCircleFilled(ui::to_im(stop.at), radius + 1, black, 12);

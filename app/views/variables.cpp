@@ -13,11 +13,10 @@ namespace {
 
 constexpr std::string_view kTitle = "Variables", kNote = "changed first";
 constexpr std::string_view kNothing = "Nothing has a value yet. Step forward.";
-constexpr int kRows = 3;  ///< of a band; bands scroll
 constexpr int kMostColumns = 4;
 
 struct Grid {
-    int columns = 1, rows = kRows;
+    int columns = 1, rows = 1;    ///< of a band; bands scroll
     float width = 0, height = 0;  ///< of a cell [px]
 };
 
@@ -28,7 +27,7 @@ struct Grid {
     grid.columns = std::clamp(static_cast<int>(area.w / least), 1, kMostColumns);
     grid.width = std::floor(area.w / static_cast<float>(grid.columns));
     grid.height = pitch(ui, 23, ui::Face::code);
-    grid.rows = std::max(kRows, static_cast<int>((area.h + 1) / grid.height));
+    grid.rows = std::max(1, static_cast<int>((area.h + 1) / grid.height));
     return grid;
 }
 
@@ -40,7 +39,9 @@ public:
           tape_(context.derived.visit().tape),
           area_(area),
           grid_(grid_of(ui_, area)),
-          now_(current_name(context.derived)) {}
+          now_(current_name(context.derived)) {
+        area_.h = std::min(area_.h, static_cast<float>(grid_.rows) * grid_.height);  // whole rows, so that none is cut
+    }
 
     void draw() {
         const std::vector<Variable>& variables = context_.derived.variables();

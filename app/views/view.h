@@ -34,7 +34,7 @@ struct ViewContext {
 
 struct View {
     std::string_view name;   ///< "canvas", "texels", "formula", "ring" …: what a lesson's `views` says
-    std::string_view title;  ///< of the panel, and of the tab
+    std::string_view title;  ///< of the tab
     void (*draw)(const ViewContext&, const ui::Area& place);
 };
 

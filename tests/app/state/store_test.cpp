@@ -121,5 +121,19 @@ TEST(Store, PixelAndTexelSelectTheirPartners) {
     EXPECT_NE(std::find(texel.pixels.begin(), texel.pixels.end(), glm::ivec2(8, 14)), texel.pixels.end());
 }
 
+TEST(Store, TheListOfLessonsOpensAtTheOpenLesson) {
+    auto document = std::make_shared<Document>(*quad_document());
+    document->lesson = Lesson{};
+    document->lesson->number = 9;
+    document->lesson->method = "edge-equations", document->lesson->variant = "corrected";
+    document->lesson->beats.resize(1);
+    Store store(opened(document, State{}));
+    store.dispatch(action::Show{Overlay::lessons});
+    EXPECT_EQ(store.state().chosen_lesson, 8);
+    store.dispatch(action::ChooseLesson{3});
+    store.dispatch(action::Show{Overlay::none});
+    EXPECT_EQ(store.state().chosen_lesson, 3);
+}
+
 }  // namespace
 }  // namespace texelscope

@@ -39,6 +39,7 @@ public:
         std::string step = "t0";
         Level level = Level::pixel;
         std::optional<Prediction> prediction = {};
+        std::string drag = "vertices";
     };
 
     explicit CanvasScreen(const Setup& setup) : store_(initial(setup)) {}
@@ -131,7 +132,7 @@ private:
         document->scene = setup.scene;
         document->lesson.emplace();
         document->lesson->views = setup.views;
-        document->lesson->drag = "vertices";
+        document->lesson->drag = setup.drag;
         document->lesson->beats.emplace_back();
         document->lesson->beats[0].prediction = setup.prediction;
         State state;

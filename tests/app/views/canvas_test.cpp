@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
 #include "app/views/canvas_sections.h"
+#include "app/views/canvas_values.h"
 #include "tests/app/views/canvas_screen.h"
 
 namespace texelscope {
@@ -282,6 +284,72 @@ TEST(Canvas, SectionsTileTheRowsOfTheirPolygon) {
     // A section's corners are the polygon's wherever it begins or ends at one.
     EXPECT_EQ(picture.sections[0].right_bottom.u, 15.5);
     EXPECT_EQ(picture.sections[0].right_bottom.v, 6);
+}
+
+TEST(Canvas, PointersAreNamedAfterTheRingOnWhicheverSideTheyRun) {
+    const auto x_of = [](const CanvasScreen& screen, std::string_view name) {
+        for (const ui::TextRecord& t : screen.report.texts)
+            if (t.text == name) return t.area.x;
+        ADD_FAILURE() << name;
+        return 0.0F;
+    };
+    for (const auto& [step, turned] : {std::pair{"t0/s3/y14", false}, {"t1/s1/y17", true}}) {
+        CanvasScreen screen(sections(step));
+        screen.add("canvas", kCanvas);
+        screen.frame();
+        EXPECT_EQ(x_of(screen, "left") > x_of(screen, "right"), turned) << step;
+    }
+}
+
+TEST(Canvas, SamplesLieWhereTheMethodTakesThem) {
+    CanvasScreen screen(sections());
+    State state = screen.state();
+    Derived derived;
+    derived.update(state);
+    EXPECT_EQ(canvas::sample_offset(state, derived), .5);
+    state.work.quirks = quirks_of(*find_method("sections"), "as-printed");
+    derived.update(state);
+    EXPECT_EQ(canvas::sample_offset(state, derived), 0);
+}
+
+TEST(Canvas, NothingPointsAtTheAnswerOfAPixelQuestion) {
+    CanvasScreen::Setup setup = sections();
+    setup.prediction.emplace();
+    setup.prediction->kind = Prediction::Kind::pixel;
+    State state = CanvasScreen(setup).state();
+    EXPECT_TRUE(canvas::pixel_question_ahead(state));
+    for (const auto& [verdict, open] : {std::pair{Answer::Verdict::wrong, true},
+                                        {Answer::Verdict::right, false},
+                                        {Answer::Verdict::skipped, false}}) {
+        state.work.answers = {{.verdict = verdict}};
+        EXPECT_EQ(canvas::pixel_question_ahead(state), open);
+    }
+    setup.prediction->kind = Prediction::Kind::number;
+    EXPECT_FALSE(canvas::pixel_question_ahead(CanvasScreen(setup).state()));
+}
+
+TEST(Canvas, ALessonAboutOtherThingsHasNoCorners) {
+    CanvasScreen::Setup setup = cramer();
+    CanvasScreen with(setup);
+    setup.drag = "none";
+    CanvasScreen none(setup);
+    for (CanvasScreen* screen : {&with, &none}) screen->add("canvas", kCanvas), screen->frame();
+    EXPECT_TRUE(with.says("29.75"));
+    EXPECT_FALSE(none.says("29.75"));
+}
+
+TEST(Canvas, ThePresentersBadgeLeavesTheCurrentPixelFree) {
+    CanvasScreen screen(cramer("t0/s5/y1/x12"));
+    screen.add("canvas", kCanvas);
+    Look look = screen.state().look;
+    look.presenting = true;
+    screen.store().dispatch(action::SetLook{look});
+    screen.frame();
+    const auto badge = std::find_if(screen.report.texts.begin(), screen.report.texts.end(),
+                                    [](const ui::TextRecord& t) { return t.text == "12"; });
+    ASSERT_NE(badge, screen.report.texts.end());
+    // Row 1 lies too near the upper border for a plate there.
+    EXPECT_GT(badge->area.y, kCanvas.centre().y);
 }
 
 TEST(Texels, HoveringATexelSelectsItAndItsCornerCanBeDragged) {

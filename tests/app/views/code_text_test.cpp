@@ -1,6 +1,7 @@
 #include "app/views/code_text.h"
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -14,6 +15,8 @@ const std::vector<std::string> kListings{"core/method/edge_equations.h", "core/m
     text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
     return text;
 }
+
+[[nodiscard]] bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 TEST(CodeText, TokensOfALineAreTheLine) {
     for (const std::string& path : kListings) {
@@ -52,6 +55,7 @@ TEST(CodeText, FunctionsOfTheMethodsAreFound) {
         }
         EXPECT_TRUE(names.contains("draw")) << path;
         EXPECT_TRUE(names.contains("pixel")) << path;
+        if (path.find("sections") != std::string::npos) EXPECT_TRUE(names.contains("draw_row"));
         EXPECT_FALSE(names.contains("trace")) << path;
     }
 }
@@ -79,6 +83,51 @@ TEST(CodeText, BrokenLinesKeepEveryLetterAndFit) {
             }
         }
     }
+}
+
+TEST(CodeText, NoWordOfTheMethodsIsBroken) {
+    for (const std::string& path : kListings) {
+        for (const std::string& line : load_listing(path).lines) {
+            for (const int columns : {44, 60, 69}) {
+                std::size_t at = 0;
+                for (const std::string& part : broken(line, columns)) {
+                    const std::string text = part.substr(std::min(part.find_first_not_of(' '), part.size()));
+                    at = line.find(text, at);
+                    ASSERT_NE(at, std::string::npos) << text;
+                    EXPECT_FALSE(at > 0 && is_word(line[at - 1]) && is_word(line[at])) << columns << ": " << line;
+                    at += text.size();
+                }
+            }
+        }
+    }
+}
+
+TEST(CodeText, BreaksAfterABracketRatherThanInAWord) {
+    EXPECT_EQ(broken("f(aaaaaaaaaaaa(bbbbbbbbbbbbbbbb(p.texel.column)));", 40),
+              (std::vector<std::string>{"f(aaaaaaaaaaaa(bbbbbbbbbbbbbbbb(", "        p.texel.column)));"}));
+}
+
+TEST(CodeText, BreaksOutsideOfBracketsAndBeforeComments) {
+    EXPECT_EQ(broken("d = (a + b) * (c - d) - (e - f) * (g - h);", 32),
+              (std::vector<std::string>{"d = (a + b) * (c - d)", "        - (e - f) * (g - h);"}));
+    EXPECT_EQ(broken("if (a != (b && plain(c))) {  // turn it", 32),
+              (std::vector<std::string>{"if (a != (b && plain(c))) { ", "        // turn it"}));
+}
+
+TEST(CodeText, WhatIsFarToTheRightMovesLeftRatherThanBreaking) {
+    EXPECT_EQ(broken(std::string(50, ' ') + ": (p.x - row.l.x);", 40),
+              (std::vector<std::string>{std::string(22, ' ') + ": (p.x - row.l.x);"}));
+}
+
+TEST(CodeText, AContinuedCommentIsAComment) {
+    const Listing listing{"f", {"    int f() {  // one two three four five six", "        return 1;", "    }"}};
+    const auto functions = functions_of(listing);
+    const auto rows = rows_of(listing, functions, {.functions = {0}, .columns = 20});
+    ASSERT_GE(rows.size(), 4U);
+    EXPECT_FALSE(rows[0].comment);
+    EXPECT_TRUE(rows[2].comment);
+    EXPECT_TRUE(rows[2].continued);
+    EXPECT_FALSE(rows.back().comment);
 }
 
 TEST(CodeText, EveryLineIsShownOrFoldedOnce) {

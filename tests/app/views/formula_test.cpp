@@ -1,6 +1,9 @@
 // The views of formulas, code and values: drawn at every kind of step, and worked with.
 #include <gtest/gtest.h>
 
+#include <set>
+
+#include "app/views/formula_blocks.h"
 #include "tests/app/views/view_stage.h"
 
 namespace texelscope {
@@ -173,10 +176,10 @@ TEST(Code, AFoldOpensOnAClickAndTraceComesBackOnDemand) {
 TEST(Code, TheGuiltyLineOfAQuirkIsMarked) {
     ViewStage stage({.variant = "as-printed", .step = "t0/s3/e0", .level = Level::expression});
     stage.frame("code", {0, 0, 900, 700});
-    EXPECT_TRUE(stage.shows("Q1"));
+    EXPECT_TRUE(stage.shows("Q2"));
     stage.state.work.quirks = 0;
     stage.frame("code", {0, 0, 900, 700});
-    EXPECT_FALSE(stage.shows("Q1"));
+    EXPECT_FALSE(stage.shows("Q2"));
 }
 
 TEST(Variables, TheFirstIsTheCurrentOne) {
@@ -213,6 +216,9 @@ TEST(Passes, AreShownOnlyForTheFormWithArrays) {
         EXPECT_NE(stage.control(pass), nullptr) << pass;
     EXPECT_TRUE(stage.shows("540"));
     EXPECT_TRUE(stage.shows("27 × 20"));
+    EXPECT_TRUE(stage.shows("1 mask"));
+    EXPECT_TRUE(stage.shows("4 store"));
+    EXPECT_TRUE(stage.shows("0 of 222")) << "a pass that is not begun has no results";
 }
 
 [[nodiscard]] std::shared_ptr<const Document> square() {
@@ -230,7 +236,7 @@ TEST(Passes, AreShownOnlyForTheFormWithArrays) {
 }
 
 TEST(Owners, AnInclusiveRuleDrawsTheDiagonalTwice) {
-    ViewStage stage({.step = "t0/s5/y6/x6"}, square());
+    ViewStage stage({.step = "t1/s5/y6/x6"}, square());
     stage.state.work.quirks = 1;
     stage.frame("owners", {0, 40, 300, 300});
     EXPECT_TRUE(stage.shows("written 2 times"));
@@ -238,12 +244,105 @@ TEST(Owners, AnInclusiveRuleDrawsTheDiagonalTwice) {
 }
 
 TEST(Owners, TheTopLeftRuleGivesTheDiagonalToOne) {
-    ViewStage stage({.step = "t0/s5/y6/x6"}, square());
+    ViewStage stage({.step = "t1/s5/y6/x6"}, square());
     stage.frame("owners", {0, 40, 300, 300});
     EXPECT_TRUE(stage.shows("written once"));
-    EXPECT_TRUE(stage.shows("which it owns"));
-    EXPECT_TRUE(stage.shows("belongs to the other"));
+    EXPECT_TRUE(stage.shows("on side C, its own"));
+    EXPECT_TRUE(stage.shows("not its own"));
     EXPECT_TRUE(stage.shows("no pixel drawn twice"));
+}
+
+TEST(Owners, WhatIsNotDecidedIsNotTold) {
+    ViewStage stage({.step = "t0/s5/y6/x6/e2"}, square());
+    stage.state.cursor.level = Level::expression;
+    stage.frame("owners", {0, 40, 300, 300});
+    EXPECT_TRUE(stage.shows("not written yet"));
+    EXPECT_TRUE(stage.shows("undecided"));
+    EXPECT_TRUE(stage.shows("comes later"));
+    EXPECT_FALSE(stage.shows("its own"));
+    const std::size_t count = stage.derived.visit().unit().expressions.size();
+    stage.go("t0/s5/y6/x6/e" + std::to_string(count - 1));
+    stage.frame("owners", {0, 40, 300, 300});
+    EXPECT_FALSE(stage.shows("undecided"));
+    EXPECT_TRUE(stage.shows("comes later"));
+}
+
+TEST(Owners, AWholeShapeHasNoPixelButACount) {
+    ViewStage stage({.step = "t1"}, square());
+    stage.state.work.quirks = 1;
+    stage.frame("owners", {0, 40, 208, 208});
+    EXPECT_TRUE(stage.shows("8 pixels drawn twice"));
+}
+
+TEST(Formula, AListHasOneSizeAndEachNameOnce) {
+    ViewStage stage({.step = "t0/s3"});
+    stage.derived.update(stage.state);
+    const Visit& visit = stage.derived.visit();
+    const std::vector<std::int32_t> names = listed_names(visit);
+    std::set<std::string> texts;
+    for (const std::int32_t n : names) {
+        EXPECT_TRUE(texts.insert(visit.tape.names[static_cast<std::size_t>(n)].name.text()).second);
+    }
+    const ui::Fonts& fonts = stage_fonts({});
+    for (const float width : {200.0F, 300.0F, 408.0F}) {
+        std::set<float> sizes;
+        for (const FormulaBlock& block : formula_list(fonts, visit.tape, names, -1, width)) {
+            float most = 0;
+            for (const ui::MathText& t : block.box.texts) most = std::max(most, t.font->em);
+            sizes.insert(most);
+        }
+        EXPECT_EQ(sizes.size(), 1U) << width;
+    }
+}
+
+TEST(Code, ThePinnedLineIsOnTheScreen) {
+    const ui::Area place{656, 248, 624, 288};
+    for (const std::string step : {"t0", "t0/s3", "t0/s5/y11/x16", "t0/s5/y11"}) {
+        for (const std::string text :
+             {"quirk.corners", "if (quirk.inclusive)", "quirk.one_winding", "quirk.trunc_box"}) {
+            ViewStage stage({.step = step});
+            stage.derived.update(stage.state);
+            const int line = line_with(stage.derived.listing(), text);
+            stage.state.pinned = {.kind = Selection::Kind::line, .line = line};
+            stage.frame("code", place);
+            bool seen = false;
+            for (const ui::TextRecord& t : stage.report.texts) seen |= t.text == std::to_string(line);
+            EXPECT_TRUE(seen) << step << ", line " << line;
+        }
+    }
+}
+
+TEST(Code, SteppingOnLeavesThePinnedLine) {
+    const ui::Area place{656, 248, 624, 160};
+    ViewStage stage({.step = "t0/s5/y11/x16/e0"});
+    stage.derived.update(stage.state);
+    const int line = line_with(stage.derived.listing(), "quirk.corners");
+    stage.state.pinned = {.kind = Selection::Kind::line, .line = line};
+    stage.frame("code", place);
+    stage.go("t0/s5/y11/x16/e10");
+    stage.frame("code", place);
+    bool seen = false;
+    for (const ui::TextRecord& t : stage.report.texts) seen |= t.text == std::to_string(stage.derived.line());
+    EXPECT_TRUE(seen);
+}
+
+TEST(Code, BlankLinesAreNoControls) {
+    ViewStage stage;
+    stage.frame("code", {656, 248, 624, 800});
+    for (const ui::ControlRecord& c : stage.report.controls) EXPECT_FALSE(c.label.empty()) << c.name;
+}
+
+TEST(Variables, OnlyWholeRowsAreShown) {
+    for (const float height : {72.0F, 100.0F, 131.0F, 144.0F}) {
+        for (const float scale : {1.0F, 1.5F}) {
+            ViewStage stage({.fonts = {scale, false}});
+            stage.frame("variables", {0, 536, 656, height});
+            for (const ui::ControlRecord& c : stage.report.controls) {
+                const bool cut = c.area.bottom() > c.clip.bottom() + 1 && c.area.y < c.clip.bottom() - 1;
+                EXPECT_FALSE(cut) << height << ' ' << scale << ' ' << c.name;
+            }
+        }
+    }
 }
 
 }  // namespace

@@ -134,6 +134,25 @@ TEST(Layout, PresentingIsLooksTable) {
     EXPECT_EQ(at.timeline, (Area{0, 624, 1280, 96}));
 }
 
+TEST(Layout, WhilePresentingTextGrowsWithTheWindowAlone) {
+    Look look;
+    look.presenting = true;
+    EXPECT_EQ(text_scale({1280, 720}, look), 1);
+    EXPECT_EQ(text_scale({1920, 1080}, look), 1.5F);
+    EXPECT_EQ(text_scale({2560, 1080}, look), 1.5F);
+    look.scale = 1.5F;
+    EXPECT_EQ(text_scale({1280, 720}, look), 1);
+    look.presenting = false;
+    EXPECT_EQ(text_scale({1920, 1080}, look), 1.5F);
+    EXPECT_GE(layout_screen({1920, 1080}, look).header.h, 1.25F * 40);
+}
+
+TEST(Layout, LargerTextKeepsTheLessonInSight) {
+    Look look;
+    look.scale = 1.5F;
+    EXPECT_FALSE(layout_screen({1280, 720}, look).lesson.empty());
+}
+
 TEST(Layout, FullHdShowsThirtyPixelsAPixel) {
     const ScreenLayout at = layout_screen({1920, 1080}, {});
     EXPECT_GE(at.canvas.w - 16, 960);

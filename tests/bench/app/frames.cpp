@@ -77,8 +77,15 @@ void steps_in_large_scene(const char* what, float zoom) {
     std::vector<double> values, pictures, frames;
     for (int n = 0; n < kSteps; ++n) {
         const int shapes = store.derived().drawing().shape_count();
-        const Path shape{{{'t', static_cast<Integer>(random() % static_cast<unsigned>(shapes))}}};
-        const Path step = store.derived().steps().at_level(shape, Level::pixel);
+        const auto below = [&](int count) {
+            return static_cast<int>(random() % static_cast<unsigned>(std::max(1, count)));
+        };
+        const int shape = below(shapes);
+        const Rect reach = store.derived().drawing().reach(shape);
+        const auto found =
+            store.derived().steps().at_pixel(shape, reach.x0 + below(reach.width()), reach.y0 + below(reach.height()));
+        if (!found) continue;
+        const Path& step = *found;
         Look look = store.state().look;
         look.zoom = zoom;
         look.centre = {static_cast<float>(step.index_of('x').value_or(0)),
