@@ -185,6 +185,7 @@ bool Shell::poll() {
         return true;
     }
     store_.dispatch(action::Reload{*document});
+    remember_times();  // it may bring in other files
     say(std::string(kReloaded), false);
     return true;
 }

@@ -10,6 +10,8 @@
 namespace texelscope::ui {
 namespace {
 
+constexpr double kFadeTime = 0.120;  ///< [s]
+
 bool takes_focus(const ControlRecord& c) { return c.enabled && c.focusable; }
 
 bool hits(const ControlRecord& c, glm::vec2 mouse, const Area& area) {
@@ -154,17 +156,26 @@ Control Ui::control(const ControlSpec& spec) {
 }
 
 float Ui::fade(std::string_view name, bool on) {
-    static constexpr double kSeconds = 0.120;
     const Id id = id_of(name);
     const auto [entry, fresh] = memory_.fades.try_emplace(id, UiMemory::Fade{on ? 1.0F : 0.0F, input_.time});
     UiMemory::Fade& f = entry->second;
     const float goal = on ? 1.0F : 0.0F;
-    const auto step = static_cast<float>(std::max(0.0, input_.time - f.time) / kSeconds);
+    const auto step = static_cast<float>(std::max(0.0, input_.time - f.time) / kFadeTime);
     f.time = input_.time;
     const float off = f.value - goal, left = std::max(0.0F, std::abs(off) - step);
     f.value = options_.reduced_motion ? goal : goal + std::copysign(left, off);
     if (f.value != goal) wants_frame_ = true;
     return f.value;
+}
+
+float Ui::glow(std::string_view name, std::uint64_t what) {
+    const auto [entry, fresh] = memory_.glows.try_emplace(id_of(name), UiMemory::Glow{what, -kFadeTime});
+    UiMemory::Glow& g = entry->second;
+    if (g.what != what) g = {what, input_.time};
+    const double left = 1 - (input_.time - g.since) / kFadeTime;
+    if (left <= 0 || options_.reduced_motion) return 0;
+    wants_frame_ = true;
+    return static_cast<float>(std::min(left, 1.0));
 }
 
 void Ui::end() {

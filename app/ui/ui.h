@@ -41,6 +41,11 @@ struct UiMemory {
         double time = 0;
     };
     std::map<Id, Fade> fades;
+    struct Glow {
+        std::uint64_t what = 0;
+        double since = 0;
+    };
+    std::map<Id, Glow> glows;
 };
 
 struct UiOptions {
@@ -150,6 +155,8 @@ public:
     void set_focus(Id id, bool ring);
     /// 0 to 1 and back within 120 ms.
     float fade(std::string_view name, bool on);
+    /// 1 where `what` is another than in the frame before, fading to 0 within 120 ms: the eye finds what has changed.
+    float glow(std::string_view name, std::uint64_t what);
 
 private:
     struct ClipState {

@@ -23,7 +23,7 @@ constexpr std::string_view kAsPrinted = "as-printed", kPrintedSample = "as print
 constexpr std::size_t kRinged = 12;  ///< beyond so many, selected pixels have one border around all
 constexpr float kLeastRing = 6;      ///< a ring around a pixel is at least so wide [px]
 constexpr float kBordersFrom = 3;    ///< window pixels per pixel: below, marked pixels are only tinted
-constexpr float kTint = .12F;
+constexpr float kTint = .12F, kGlow = .7F;
 
 [[nodiscard]] ui::Area ring_place(const Sheet& sheet, glm::ivec2 pixel) {
     return ui::grown_to(sheet.map.place_of(pixel), kLeastRing);
@@ -141,7 +141,10 @@ ui::Area current_place(const Sheet& sheet, glm::ivec2 pixel) {
 void draw_current_pixel(const Sheet& sheet) {
     const auto pixel = sheet.ctx.derived.pixel();
     if (!pixel) return;
-    const ui::Ui& ui = sheet.ui();
+    ui::Ui& ui = sheet.ui();
+    const auto place = static_cast<std::uint64_t>(pixel->y) << 32U | static_cast<std::uint32_t>(pixel->x);
+    if (const float glow = ui.glow("canvas/current", place); glow > 0)
+        ui::fill(sheet.list(), sheet.map.place_of(*pixel), ui::with_alpha(sheet.color(Role::now), kGlow * glow));
     const float width = ui.presenting() ? 3.5F * ui.fonts().spec().scale : 2.5F;
     ui::pixel_ring(sheet.list(), ring_place(sheet, *pixel), sheet.color(Role::now), ui.theme().outline, width);
     if (sheet.map.zoom < double{kDotsFrom}) return;

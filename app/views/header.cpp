@@ -314,7 +314,7 @@ void draw_header(const ViewContext& c, const Area& place) {
                               : state.document ? state.document->id
                                                : std::string(kUntitled);
     const float begin = x;
-    if (lesson)
+    if (lesson && state.document->lesson->number > 0)
         x += ui.text(Face::code, {x, baseline}, Role::muted, fmt::format("{:02}", state.document->lesson->number)) +
              ui.px(11);
     x += ui.text_within(Face::lesson_title, {x, baseline}, std::max(0.0F, right - x), Role::text, title);
