@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 /// The lesson file that a word means: a number, a folder's name, the folder, the file itself; empty where none.
 [[nodiscard]] fs::path lesson_file(const std::string& word) {
-    const fs::path path(word);
+    fs::path path(word);
     if (path.filename() == "lesson.md" || path.extension() == ".md") return path;
     if (is_there(path / "lesson.md")) return path / "lesson.md";
     const fs::path lessons = data_folder() / "lessons";
@@ -105,7 +105,7 @@ Result<std::shared_ptr<const Texture>> texture_of_link(const std::string& file, 
 
 fs::path data_folder() {
     if (const char* chosen = std::getenv("TEXELSCOPE_DATA"); chosen != nullptr && *chosen != '\0') return chosen;
-    if (const fs::path built = TEXELSCOPE_DATA_FOLDER; is_there(built / "lessons")) return built;
+    if (fs::path built = TEXELSCOPE_DATA_FOLDER; is_there(built / "lessons")) return built;
     std::error_code bad;
     const fs::path program = fs::read_symlink("/proc/self/exe", bad);
     return bad ? fs::path(".") : program.parent_path() / ".." / "share" / "texelscope";

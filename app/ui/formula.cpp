@@ -106,7 +106,7 @@ private:
             if (i > 0) append(inner, kit_.upright(", ", Role::text));
             append(inner, set(e.parts[i]));
         }
-        return kit_.row({kit_.upright(e.text, Role::text), kit_.in_parentheses(std::move(inner))}, 0);
+        return kit_.row({kit_.upright(e.text, Role::text), kit_.in_parentheses(inner)}, 0);
     }
 
     MathBox matrix(const Expr& e) {

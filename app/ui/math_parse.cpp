@@ -137,20 +137,18 @@ private:
         if (takes("-") || takes(kMinus)) return negation(factors());
         std::vector<Expr> parts{atom()};
         while (!failed_) {
-            if (takes("*") || takes("\\cdot") || takes("·") || takes("\\times") || takes("×")) {
-                parts.push_back(atom());
-            } else if (takes("/")) {
+            if (takes("/")) {
                 Expr e;
                 e.op = Op::slash;
                 e.parts.push_back(parts.size() == 1 ? std::move(parts.front()) : product(std::move(parts)));
                 e.parts.push_back(atom());
                 parts.clear();
                 parts.push_back(std::move(e));
-            } else if (starts_atom()) {
-                parts.push_back(atom());
-            } else {
-                break;
+                continue;
             }
+            const bool times = takes("*") || takes("\\cdot") || takes("·") || takes("\\times") || takes("×");
+            if (!times && !starts_atom()) break;
+            parts.push_back(atom());
         }
         return parts.size() == 1 ? std::move(parts.front()) : product(std::move(parts));
     }

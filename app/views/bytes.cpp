@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -33,9 +34,9 @@ struct Strip {
     int lines = 1;
 
     [[nodiscard]] ui::Area place_of(std::int64_t pixel) const {
-        const auto at = static_cast<float>((pixel - first) % pixels),
-                   row = static_cast<float>((pixel - first) / pixels);
-        return {area.x + at * kBytesPerPixel * cell, area.y + row * line, kBytesPerPixel * cell, line};
+        const auto [row, at] = std::lldiv(pixel - first, pixels);
+        return {area.x + static_cast<float>(at) * kBytesPerPixel * cell, area.y + static_cast<float>(row) * line,
+                kBytesPerPixel * cell, line};
     }
 };
 

@@ -254,7 +254,7 @@ std::vector<CodeRow> rows_of(const Listing& listing, std::span<const CodeFunctio
                 hidden.push_back(functions[static_cast<std::size_t>(function)].name);
         }
         const int count = end - line;
-        if (contains(spec.unfolded, line) || (count < kLeastFold && rows.size() > 0 && end <= lines)) {
+        if (contains(spec.unfolded, line) || (count < kLeastFold && !rows.empty() && end <= lines)) {
             for (; line < end; ++line) add_line(line);
             continue;
         }

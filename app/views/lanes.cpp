@@ -252,7 +252,7 @@ struct Target {
 [[nodiscard]] std::string describe(const ViewContext& c, const Lane& lane, Integer n) {
     const Path path = child(c.state.cursor.step, lane, n);
     const auto k = static_cast<std::size_t>(n);
-    const std::string name =
+    std::string name =
         k < lane.labels.size() ? lane.labels[k]
         : path.parts.back().letter == 't'
             ? fmt::format("triangle {}", n + 1)

@@ -118,7 +118,8 @@ public:
         int best = 1;
         float size = 0;
         for (int columns = 1; columns <= 5; ++columns) {
-            const auto rows = static_cast<float>((5 + columns - 1) / columns);
+            const int in_rows = (5 + columns - 1) / columns;
+            const auto rows = static_cast<float>(in_rows);
             const float w = (area_.w - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
             const float h = (area_.h - ui_.px(6)) / rows - caption - note - ui_.px(6);
             const float fits = std::min(w, h * aspect);
@@ -224,10 +225,11 @@ private:
         if (!pixel || !window.rect.contains(pixel->x, pixel->y)) return;
         const float w = picture.w / static_cast<float>(samples_.cells.width()),
                     h = picture.h / static_cast<float>(samples_.cells.height());
-        const auto column = static_cast<float>((pixel->x - window.rect.x0) / window.stride),
-                   row = static_cast<float>((pixel->y - window.rect.y0) / window.stride);
-        const ui::Area element{std::round(picture.x + column * w), std::round(picture.y + row * h),
-                               std::max(2.0F, std::round(w)), std::max(2.0F, std::round(h))};
+        const int column = (pixel->x - window.rect.x0) / window.stride,
+                  row = (pixel->y - window.rect.y0) / window.stride;
+        const ui::Area element{std::round(picture.x + static_cast<float>(column) * w),
+                               std::round(picture.y + static_cast<float>(row) * h), std::max(2.0F, std::round(w)),
+                               std::max(2.0F, std::round(h))};
         ui::pixel_ring(ui_.list(), element, ui_.theme()[ui::Role::now], ui_.theme().outline, 2);
     }
 

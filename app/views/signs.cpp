@@ -108,7 +108,7 @@ struct Verdict {
         if (!sign.inside) ++open;
         if (sign.inside && !*sign.inside && sign.value == 0.0) return {fmt::format(kNotOwned, letter), e};
         if (sign.inside && !*sign.inside) return {fmt::format(kRejected, text_of(outside_edge(e))), e};
-        const bool last = e == 2 || !signs[static_cast<std::size_t>(e + 1)].value;
+        const bool last = e == 2 || !signs[static_cast<std::size_t>(e) + 1].value;
         if (sign.inside && sign.value == 0.0 && sign.owns == true && last) return {fmt::format(kOwned, letter), e};
     }
     if (open == 0) return {std::string(kInside), -1};

@@ -125,9 +125,9 @@ std::string without_trace(std::string_view source) {
                 continue;
             }
             if (!alone) begin = static_cast<std::size_t>(target.data() - text.data());
-            value = name + " = " + value;
+            value.insert(0, name + " = ");
         }
-        text = text.substr(0, begin) + moved_left(value, first - at) + text.substr(close + 1);
+        text.replace(begin, close + 1 - begin, moved_left(value, first - at));
         at = begin;
     }
     return text;
