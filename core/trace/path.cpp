@@ -14,9 +14,11 @@ std::optional<Integer> take_integer(std::string_view& text) {
     if (negative) text.remove_prefix(1);
     std::size_t digits = 0;
     Integer value = 0;
-    while (digits < text.size() && text[digits] >= '0' && text[digits] <= '9')
-        value = value * 10 + (text[digits++] - '0');
-    if (digits == 0 || digits > kMaxDigits) return std::nullopt;
+    for (; digits < text.size() && text[digits] >= '0' && text[digits] <= '9'; ++digits) {
+        if (digits == kMaxDigits) return std::nullopt;
+        value = value * 10 + (text[digits] - '0');
+    }
+    if (digits == 0) return std::nullopt;
     text.remove_prefix(digits);
     return negative ? -value : value;
 }
