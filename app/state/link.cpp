@@ -1,5 +1,6 @@
 #include "app/state/link.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -186,6 +187,8 @@ Result<Link> parse_link(std::string_view text) {
     while (!text.empty() && static_cast<unsigned char>(text.back()) <= ' ') text.remove_suffix(1);
     if (!text.starts_with(kPrefix)) return damaged("it should begin with " + std::string(kPrefix));
     if (text.size() > kLongest) return damaged("it is too long");
+    if (std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }))
+        return damaged("it has a character that cannot be printed");
     text.remove_prefix(kPrefix.size());
     const std::size_t end = text.rfind(';');
     std::uint32_t sum = 0;
