@@ -205,7 +205,8 @@ public:
     }
     void operator()(const action::Show& a) {
         s_.overlay = s_.overlay == a.overlay ? Overlay::none : a.overlay;
-        if (s_.overlay == Overlay::lessons && s_.document->lesson) s_.chosen_lesson = s_.document->lesson->number - 1;
+        const Lesson* open = s_.document && s_.document->lesson ? &*s_.document->lesson : nullptr;
+        if (s_.overlay == Overlay::lessons && open != nullptr && open->number > 0) s_.chosen_lesson = open->number - 1;
     }
     void operator()(const action::ChooseLesson& a) { s_.chosen_lesson = std::max(0, a.index); }
     void operator()(const action::Escape&) {
