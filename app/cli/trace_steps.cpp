@@ -29,7 +29,7 @@ public:
             if (steps_.drawing().refusal(shape) != Fate::written || !steps_.drawing().touches(shape, pixel)) continue;
             at_ = Path{{{'t', shape}}};
             begun_ = false;
-            straying_ = (settings.quirks & settings.method->strays) != 0;
+            straying_ = settings.method->may_stray(settings.quirks);
             const auto stages = static_cast<Integer>(steps_.at(at_).stages.size());
             const Path whole = at_;
             for (Integer s = 0; s < stages && going_; ++s) search(whole.child('s', s));

@@ -117,7 +117,8 @@ Job Drawing::job(int shape) const {
             .cull_back = scene_->cull == Cull::back,
             .frame = scene_->framebuffer.rect(),
             .quirks = settings_.quirks,
-            .mode = settings_.mode};
+            .mode = settings_.mode,
+            .shape = shape};
 }
 
 Fate Drawing::refusal(int shape) const {
@@ -132,7 +133,7 @@ Fate Drawing::refusal(int shape) const {
 
 Rect Drawing::reach(int shape) const {
     const Rect frame = scene_->framebuffer.rect();
-    if ((settings_.quirks & settings_.method->strays) != 0) return frame;
+    if (settings_.method->may_stray(settings_.quirks)) return frame;
     float x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY;
     for (const Vertex& p : corners(shape)) {
         x0 = std::min(x0, p.x), x1 = std::max(x1, p.x);

@@ -24,7 +24,7 @@ constexpr std::array<QuirkInfo, 8> kQuirks{{
 }};
 constexpr std::array<VariantInfo, 2> kVariants{{{"as-printed", 0b0111111}, {"corrected", 0}}};
 
-constexpr Method kMethod{
+constexpr Method kMethod = run::with_functions<EdgeEquations, kEdgeEquationsFields>({
     .id = "edge-equations",
     .title = "Edge equations",
     .source = "S1",
@@ -32,12 +32,8 @@ constexpr Method kMethod{
     .triangles = true,
     .quirks = kQuirks,
     .variants = kVariants,
-    .render = run::render<EdgeEquations, kEdgeEquationsFields>,
-    .paint = run::paint<EdgeEquations, kEdgeEquationsFields>,
-    .samples = run::samples<EdgeEquations, kEdgeEquationsFields>,
-    .until = run::until<EdgeEquations, kEdgeEquationsFields>,
     .visit = visit_edge_equations,
-};
+});
 const RegisterMethod kRegistered(kMethod);
 
 }  // namespace

@@ -100,7 +100,7 @@ Layer layer_of(const Drawing& drawing, int last, const Window& window, const Lay
     for (int n = last - 1; n >= 0 && tiles.any_open(); --n) {
         if (drawing.refusal(n) != Fate::written) continue;
         const Job job = drawing.job(n);
-        if ((job.quirks & method.strays) != 0) {
+        if (method.may_stray(job.quirks)) {
             method.paint(drawing.settings().format, job, window, n, layer);  // it may have put samples anywhere
             continue;
         }

@@ -53,6 +53,7 @@ struct Job {
     Rect frame;
     QuirkSet quirks = 0;
     NumberMode mode;
+    int shape = 0;  ///< its number in the drawing
 };
 
 /// What a method says of one sample, in plain numbers.
@@ -70,7 +71,9 @@ struct Method {
     std::string_view id, title, source;  ///< "edge-equations", "Edge equations", "S1"
     std::string_view listing;            ///< path of its source file, as embedded
     bool triangles = true;               ///< takes triangles; else whole convex polygons
-    QuirkSet strays = 0;                 ///< quirks under which a sample may lie outside the shape's box
+    bool plane = false;     ///< takes the polygon as part of a plane: three corners say how the texture lies
+    bool scatters = false;  ///< driven by the texture: holes, pixels written again, samples anywhere
+    QuirkSet strays = 0;    ///< quirks under which a sample may lie outside the shape's box
     std::span<const QuirkInfo> quirks;
     std::span<const VariantInfo> variants;  ///< the last is the corrected one
 
@@ -84,6 +87,9 @@ struct Method {
     LineCounts (*until)(NumberFormat, const Job&, const Window&, const Path& target, const Put&);
     /// One unit of the step tree, recorded.
     Visit (*visit)(NumberFormat, const Job&, const Path&);
+
+    /// Whether a sample may lie outside the shape's box.
+    [[nodiscard]] constexpr bool may_stray(QuirkSet switches) const { return scatters || (switches & strays) != 0; }
 };
 
 /// In order of their ids. Filled before main by RegisterMethod.

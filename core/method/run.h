@@ -18,7 +18,10 @@ template <class Quirks, std::size_t N>
 
 template <template <class, class> class M, class T, class Trace, std::size_t N>
 [[nodiscard]] M<T, Trace> make(const Job& job, const std::array<bool M<T, Trace>::Quirks::*, N>& fields, Trace trace) {
-    return {job.frame, *job.texture, job.light, job.cull_back, quirks_from(job.quirks, fields), job.mode, trace};
+    M<T, Trace> method{job.frame, *job.texture, job.light, job.cull_back, quirks_from(job.quirks, fields),
+                       job.mode,  trace};
+    if constexpr (requires { method.shape; }) method.shape = job.shape;
+    return method;
 }
 
 /// Calls f(T{}) with the type of the format.
@@ -126,6 +129,16 @@ Visit visit(NumberFormat format, const Job& job, const Path& path) {
         const Fate fate = method.draw(job.corners, [](const auto&, const auto&, const auto&) {});
         return std::move(recording).finish(fate);
     });
+}
+
+/// The functions of a method's plain half, filled in.
+template <template <class, class> class M, auto fields>
+[[nodiscard]] constexpr Method with_functions(Method method) {
+    method.render = render<M, fields>;
+    method.paint = paint<M, fields>;
+    method.samples = samples<M, fields>;
+    method.until = until<M, fields>;
+    return method;
 }
 
 }  // namespace texelscope::run

@@ -16,7 +16,7 @@ constexpr std::array<QuirkInfo, 3> kQuirks{{
 }};
 constexpr std::array<VariantInfo, 2> kVariants{{{"as-printed", 0b111}, {"corrected", 0}}};
 
-constexpr Method kMethod{
+constexpr Method kMethod = run::with_functions<Sections, kSectionsFields>({
     .id = "sections",
     .title = "Sections",
     .source = "S2",
@@ -25,12 +25,8 @@ constexpr Method kMethod{
     .strays = 0b001,
     .quirks = kQuirks,
     .variants = kVariants,
-    .render = run::render<Sections, kSectionsFields>,
-    .paint = run::paint<Sections, kSectionsFields>,
-    .samples = run::samples<Sections, kSectionsFields>,
-    .until = run::until<Sections, kSectionsFields>,
     .visit = visit_sections,
-};
+});
 const RegisterMethod kRegistered(kMethod);
 
 }  // namespace

@@ -27,11 +27,37 @@ template <class T>
     return lesser(greater(value, Int(0)), Int(255));
 }
 
+/// A channel of a texel under the method's light; a light of 1 leaves it alone.
+template <class T>
+[[nodiscard]] IntegerOf<T> shaded(int channel, float lightness, NumberMode mode, bool modulo_256 = false) {
+    if (lightness == 1) return IntegerOf<T>(channel);
+    return lit(T(channel), Input<T>::from(lightness, mode), modulo_256);
+}
+
 /// One sample as a method leaves it: every intermediate is in the method's own struct, this is what all have.
 template <class T>
 struct Texel {
     IntegerOf<T> column{}, row{};  ///< in the texture, after wrapping
     IntegerOf<T> r{}, g{}, b{};    ///< lit [0, 255]
 };
+
+/// From (u, v) to the lit colour, for methods that do nothing else than this with it. Traced at the caller's line.
+/// @param as_printed  trunc(u) & (size - 1), as the sources index their textures, in place of floor and wrap mode.
+template <class T>
+[[nodiscard]] Texel<T> read_texel(const auto& method, const T& u, const T& v, bool as_printed = false,
+                                  int line = __builtin_LINE()) {
+    const Texture& texture = method.texture;
+    const auto index = [&](const T& a, int size) {
+        return as_printed ? wrapped(trunc(a), size, Wrap::mask) : wrapped(floor(a), size, texture.wrap);
+    };
+    Texel<T> t;
+    t.column = method.trace("column", index(u, texture.width()), line);
+    t.row = method.trace("row", index(v, texture.height()), line);
+    const Rgb& colour = texture.texels.at(int(plain(t.column)), int(plain(t.row)));
+    t.r = method.trace("r", shaded<T>(colour.r, method.lightness, method.mode), line);
+    t.g = method.trace("g", shaded<T>(colour.g, method.lightness, method.mode), line);
+    t.b = method.trace("b", shaded<T>(colour.b, method.lightness, method.mode), line);
+    return t;
+}
 
 }  // namespace texelscope

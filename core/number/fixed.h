@@ -36,21 +36,25 @@ public:
     [[nodiscard]] static constexpr Fixed from_raw(std::int64_t raw, bool overflowed, NumberMode mode) {
         Fixed x;
         x.raw_ = raw;
-        x.overflowed_ = overflowed;
-        x.mode_ = mode;
+        x.flags_ = static_cast<std::uint64_t>(mode.overflow) | (mode.floor_products ? kFloorProducts : 0) |
+                   (overflowed ? kOverflowed : 0);
         return x;
     }
 
-    [[nodiscard]] constexpr std::int64_t raw() const { return raw_; }        ///< [2^-F]
-    [[nodiscard]] constexpr bool overflowed() const { return overflowed_; }  ///< it, or an operand, left the range
-    [[nodiscard]] constexpr NumberMode mode() const { return mode_; }
+    [[nodiscard]] constexpr std::int64_t raw() const { return raw_; }  ///< [2^-F]
+    [[nodiscard]] constexpr bool overflowed() const {
+        return (flags_ & kOverflowed) != 0;
+    }  ///< it, or an operand, left the range
+    [[nodiscard]] constexpr NumberMode mode() const {
+        return {static_cast<Overflow>(flags_ & kPolicy), (flags_ & kFloorProducts) != 0};
+    }
 
     friend constexpr Fixed operator+(Fixed a, Fixed b) { return settle(Int128{a.raw_} + b.raw_, a, b); }
     friend constexpr Fixed operator-(Fixed a, Fixed b) { return settle(Int128{a.raw_} - b.raw_, a, b); }
     friend constexpr Fixed operator-(Fixed a) { return settle(-Int128{a.raw_}, a, a); }
     friend constexpr Fixed operator*(Fixed a, Fixed b) {
         const Int128 product = Int128{a.raw_} * b.raw_;
-        const bool down = (a.mode_.floor_products || b.mode_.floor_products) && product < 0;
+        const bool down = (a.mode().floor_products || b.mode().floor_products) && product < 0;
         const Int128 unit = Int128{1} << F;
         return settle((down ? product - (unit - 1) : product) / unit, a, b);
     }
@@ -68,14 +72,14 @@ public:
     friend constexpr bool operator<=(Fixed a, Fixed b) { return a.raw_ <= b.raw_; }
     friend constexpr bool operator>=(Fixed a, Fixed b) { return a.raw_ >= b.raw_; }
 
-    friend constexpr Fixed operator+(Integer a, Fixed b) { return Fixed(a, b.mode_) + b; }
-    friend constexpr Fixed operator+(Fixed a, Integer b) { return a + Fixed(b, a.mode_); }
-    friend constexpr Fixed operator-(Integer a, Fixed b) { return Fixed(a, b.mode_) - b; }
-    friend constexpr Fixed operator-(Fixed a, Integer b) { return a - Fixed(b, a.mode_); }
-    friend constexpr Fixed operator*(Integer a, Fixed b) { return Fixed(a, b.mode_) * b; }
-    friend constexpr Fixed operator*(Fixed a, Integer b) { return a * Fixed(b, a.mode_); }
-    friend constexpr Fixed operator/(Integer a, Fixed b) { return Fixed(a, b.mode_) / b; }
-    friend constexpr Fixed operator/(Fixed a, Integer b) { return a / Fixed(b, a.mode_); }
+    friend constexpr Fixed operator+(Integer a, Fixed b) { return Fixed(a, b.mode()) + b; }
+    friend constexpr Fixed operator+(Fixed a, Integer b) { return a + Fixed(b, a.mode()); }
+    friend constexpr Fixed operator-(Integer a, Fixed b) { return Fixed(a, b.mode()) - b; }
+    friend constexpr Fixed operator-(Fixed a, Integer b) { return a - Fixed(b, a.mode()); }
+    friend constexpr Fixed operator*(Integer a, Fixed b) { return Fixed(a, b.mode()) * b; }
+    friend constexpr Fixed operator*(Fixed a, Integer b) { return a * Fixed(b, a.mode()); }
+    friend constexpr Fixed operator/(Integer a, Fixed b) { return Fixed(a, b.mode()) / b; }
+    friend constexpr Fixed operator/(Fixed a, Integer b) { return a / Fixed(b, a.mode()); }
     friend constexpr bool operator==(Fixed a, Integer b) { return a == Fixed(b); }
     friend constexpr bool operator<(Fixed a, Integer b) { return a < Fixed(b); }
     friend constexpr bool operator>(Fixed a, Integer b) { return a > Fixed(b); }
@@ -94,12 +98,13 @@ public:
     friend double approximate(Fixed a) { return std::ldexp(static_cast<double>(a.raw_), -F); }
 
 private:
+    /// The numbers of one run are all of one mode, or constants in the mode that asks for least.
     [[nodiscard]] static constexpr NumberMode merged(Fixed a, Fixed b) {
-        return {a.mode_.overflow > b.mode_.overflow ? a.mode_.overflow : b.mode_.overflow,
-                a.mode_.floor_products || b.mode_.floor_products};
+        const NumberMode m = a.mode(), n = b.mode();
+        return {m.overflow > n.overflow ? m.overflow : n.overflow, m.floor_products || n.floor_products};
     }
     [[nodiscard]] static constexpr Fixed settle(Int128 raw, Fixed a, Fixed b) {
-        return settle(raw, merged(a, b), a.overflowed_ || b.overflowed_);
+        return settle(raw, merged(a, b), a.overflowed() || b.overflowed());
     }
     [[nodiscard]] static constexpr Fixed settle(Int128 raw, NumberMode mode, bool overflowed) {
         const bool outside = raw > kMax || raw < kMin;
@@ -119,9 +124,10 @@ private:
         return raw > kEnd ? kEnd : raw < -kEnd ? -kEnd : raw;
     }
 
+    static constexpr std::uint64_t kPolicy = 3, kFloorProducts = 4, kOverflowed = 8;
+    // Two words and no padding: gcc 12 at -O3 loses parts of arrays of structs that end in padding.
     std::int64_t raw_ = 0;
-    NumberMode mode_{};
-    bool overflowed_ = false;
+    std::uint64_t flags_ = 0;  ///< mode and overflowed
 };
 
 template <int I, int F>

@@ -16,6 +16,7 @@ std::string_view text_of(Fate fate) {
         case Fate::not_finite: return "not finite";
         case Fate::behind_eye: return "w is not positive";
         case Fate::undefined: return "undefined";
+        case Fate::too_large: return "too many texels";
     }
     return "";
 }

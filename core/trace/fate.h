@@ -19,6 +19,7 @@ enum class Fate : std::uint8_t {
     not_finite,      ///< a coordinate is NaN or infinite
     behind_eye,      ///< w <= 0
     undefined,       ///< a result has no value: NaN, or x / 0
+    too_large,       ///< it repeats its texture too often for a method that runs over all its texels
 };
 
 /// "written", "outside A", …: one string for the screen, `trace` and the tests.

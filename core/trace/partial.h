@@ -95,14 +95,14 @@ struct PartialTrace {
     PartialRange walk(char letter, Integer first, Integer last) const {
         return limited(letter, first, last, 1, [&](Integer end) { return window.walk(letter, first, end); });
     }
-    PartialRange fill(char, Integer first, Integer last) const {
-        return {*progress, progress->stage > progress->target_stage() ? Range(first, first, 1) : Range(first, last, 1),
-                nullptr};
+    PartialRange fill(char letter, Integer first, Integer last) const {
+        return limited(letter, first, last, 1, [&](Integer end) { return window.fill(letter, first, end); });
     }
     PartialRange toward(char letter, Integer first, Integer last) const {
         return limited(letter, first, last, first <= last ? 1 : -1,
                        [&](Integer end) { return window.toward(letter, first, end); });
     }
+    bool wanted(char letter, Integer index) const { return window.wanted(letter, index); }
     auto quiet(auto&& stage) const { return stage(); }
 
 private:

@@ -41,7 +41,7 @@ Recording::Plan Recording::plan(const Loop& loop, Carry carry) {
     const Plan none{loop.first, loop.first, 0, loop.step, false};
     const Integer end = loop.first + loop.count() * loop.step;
     const Plan whole{loop.first, end, 0, loop.step, false};
-    if (writer_.muted > 0) return whole;
+    if (writer_.muted > 0) return carry == Carry::whole_loop ? whole : none;
     if (stage_ != target_stage_) return carry == Carry::whole_loop && stage_ < target_stage_ ? whole : none;
 
     Unit& unit = current();

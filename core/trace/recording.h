@@ -153,6 +153,7 @@ struct Listener {
         const int step = whole(first) <= whole(last) ? 1 : -1;
         return {*recording, {letter, whole(first), whole(last), step}, Recording::Carry::none, line};
     }
+    bool wanted(char, const auto&) const { return !recording->muted(); }
     /// Computes without a mark: what an earlier pass has shown already. Its results keep their names.
     auto quiet(auto&& stage) const {
         ++recording->writer().muted;

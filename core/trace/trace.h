@@ -75,6 +75,8 @@ struct NoTrace {
     constexpr UpRange walk(char, Integer first, Integer last) const { return {first, last}; }
     constexpr UpRange fill(char, Integer first, Integer last) const { return {first, last}; }
     constexpr TowardRange toward(char, Integer first, Integer last) const { return {first, last}; }
+    /// Whether anybody asks for round `index` of a walk, or only for what it hands on.
+    constexpr bool wanted(char, Integer) const { return true; }
     constexpr auto quiet(auto&& stage) const { return stage(); }
 };
 
@@ -102,6 +104,14 @@ struct WindowTrace : NoTrace {
     constexpr Range walk(char letter, Integer first, Integer last) const {
         const Integer high = letter == 'x' ? window.rect.x1 : letter == 'y' ? window.rect.y1 : last;
         return {first, last < high ? last : high, 1};
+    }
+    /// What comes later needs all rounds, but over pixels only those in the window.
+    constexpr Range fill(char letter, Integer first, Integer last) const { return each(letter, first, last); }
+    constexpr bool wanted(char letter, Integer index) const {
+        if (letter != 'x' && letter != 'y') return true;
+        const Integer low = letter == 'x' ? window.rect.x0 : window.rect.y0;
+        const Integer high = letter == 'x' ? window.rect.x1 : window.rect.y1;
+        return index >= low && index < high && (index - low) % window.stride == 0;
     }
     constexpr Range toward(char letter, Integer first, Integer last) const {
         if (first <= last) return each(letter, first, last);
