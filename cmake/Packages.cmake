@@ -13,3 +13,6 @@ find_package(Threads REQUIRED)
 
 # stb_image and stb_image_write: Debian compiles them into one library.
 find_library(TEXELSCOPE_STB stb REQUIRED)
+
+# tinyobjloader: core/geometry/obj.cpp compiles the header, so there is nothing to link.
+find_path(TEXELSCOPE_TINYOBJ tiny_obj_loader.h REQUIRED)

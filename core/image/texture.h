@@ -14,6 +14,7 @@ namespace texelscope {
 /// What a texture was made from, so that a scene can be written back.
 struct TextureSource {
     std::string file;                  ///< as the scene spells it, relative to the scene; empty for a pattern
+    int frames = 0;                    ///< how many equal frames `file` is a strip of; 0 = it is one picture
     Pattern pattern = Pattern::solid;  ///< where `file` is empty
     int palette = 0;                   ///< the colours asked for [2, 256]; 0 = true colour
     friend bool operator==(const TextureSource&, const TextureSource&) = default;

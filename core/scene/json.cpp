@@ -6,42 +6,23 @@
 #include <array>
 #include <cmath>
 #include <string>
-#include <system_error>
 #include <unordered_map>
 #include <utility>
 
 #include "core/base/file.h"
 #include "core/geometry/polygon.h"
+#include "core/image/frames.h"
 #include "core/image/load.h"
 #include "core/image/palette.h"
+#include "core/scene/mesh_reader.h"
 #include "core/scene/names.h"
+#include "core/scene/place.h"
 #include "core/scene/scene_reader.h"
 
 namespace texelscope {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Whether `path`, which is canonical, lies in the tree of `folder`.
-bool is_inside(const fs::path& path, const fs::path& folder) {
-    if (folder.empty()) return false;
-    std::error_code failed;
-    const fs::path root = fs::canonical(folder, failed);
-    return !failed && std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
-}
-
-/// The file that a scene means by `name`, all links followed; the error lacks its place.
-Result<fs::path> resolve(const std::string& name, const SceneFiles& files) {
-    if (name.empty() || name.find('\0') != name.npos) return Error{"", "is not a file name"};
-    if (files.folder.empty()) return Error{"", "cannot be read: this scene has no folder"};
-    std::error_code failed;
-    fs::path path = fs::weakly_canonical(files.folder / name, failed);
-    if (failed) return Error{"", "cannot be read: " + failed.message()};
-    if (!is_inside(path, files.folder) && !is_inside(path, files.assets))
-        return Error{"", "lies outside the scene's folder and the assets"};
-    if (!fs::exists(path, failed)) return Error{"", "does not exist"};
-    return path;
-}
 
 /// Reads the parts of a scene in an order that suits, whatever their order in the text.
 class SceneReader {
@@ -63,6 +44,8 @@ private:
         std::optional<std::string> file;
         std::optional<Pattern> pattern;
         std::optional<std::array<int, 2>> size;
+        std::vector<std::string> files;
+        int frames = 0;
         int palette = 0;
     };
 
@@ -75,11 +58,8 @@ private:
     }
 
     void read_root(const JsonValue& root) {
-        std::optional<JsonValue> framebuffer, textures, polygons;
+        std::optional<JsonValue> framebuffer, textures, polygons, meshes, camera;
         Scene& scene = loaded_.scene;
-        const auto later = [&](const JsonValue& member) {
-            read_.fail(member.key_line(), fmt::format("'{}' needs a later version of Texelscope", member.key()));
-        };
         read_.object(
             root, "a scene", required("texelscope", [](const JsonValue&) {}),
             optional("framebuffer", [&](const JsonValue& value) { framebuffer = value; }),
@@ -89,11 +69,19 @@ private:
             optional("cull",
                      [&](const JsonValue& v) { scene.cull = static_cast<Cull>(read_.choice(v, "cull", kCullNames)); }),
             optional("textures", [&](const JsonValue& value) { textures = value; }),
-            optional("polygons", [&](const JsonValue& value) { polygons = value; }), optional("meshes", later),
-            optional("camera", later));
+            optional("polygons", [&](const JsonValue& value) { polygons = value; }),
+            optional("meshes", [&](const JsonValue& value) { meshes = value; }),
+            optional("camera", [&](const JsonValue& value) { camera = value; }));
         if (framebuffer && !read_.failed()) read_framebuffer(*framebuffer);
         if (textures && !read_.failed()) read_textures(*textures);
         if (polygons && !read_.failed()) read_polygons(*polygons);
+        MeshReader mesh_reader(read_, files_,
+                               [this](const JsonValue& v, std::string_view what) { return find_texture(v, what); });
+        if (camera && !read_.failed()) scene.camera = mesh_reader.camera(*camera);
+        if (meshes && !read_.failed()) scene.meshes = mesh_reader.meshes(*meshes);
+        if (read_.failed()) return;
+        if (scene.textures.empty() && !(scene.polygons.empty() && scene.meshes.empty())) add_grey();
+        place_meshes(scene);
     }
 
     void read_framebuffer(const JsonValue& value) {
@@ -130,6 +118,8 @@ private:
             required("name", [&](const JsonValue& v) { t.name = read_.text(v, "name of a texture"); }),
             optional("file",
                      [&](const JsonValue& v) { t.file = read_.text(v, "file of a texture"), t.line = v.line(); }),
+            optional("files", [&](const JsonValue& v) { t.files = file_list(v), t.line = v.line(); }),
+            optional("frames", [&](const JsonValue& v) { t.frames = read_.whole(v, "frames", 1, kMaxFrames); }),
             optional("pattern",
                      [&](const JsonValue& v) {
                          t.pattern = static_cast<Pattern>(read_.choice(v, "pattern", kPatternNames));
@@ -139,13 +129,26 @@ private:
                      [&](const JsonValue& v) { t.wrap = static_cast<Wrap>(read_.choice(v, "wrap", kWrapNames)); }),
             optional("palette", [&](const JsonValue& v) { t.palette = read_.whole(v, "palette", 2, 256); }));
         if (t.name.empty()) read_.fail(value.line(), "name of a texture is empty");
-        if (t.file.has_value() == t.pattern.has_value())
-            read_.fail(value.line(), "texture " + in_quotes(t.name) + ": expected either 'file' or 'pattern'");
+        if (int{t.file.has_value()} + int{t.pattern.has_value()} + int{!t.files.empty()} != 1)
+            read_.fail(value.line(), "texture " + in_quotes(t.name) + ": expected either 'file', 'files' or 'pattern'");
+        if (t.frames != 0 && !t.file)
+            read_.fail(value.line(), "texture " + in_quotes(t.name) + ": 'frames' is for a 'file'");
         if (t.pattern.has_value() != t.size.has_value())
             read_.fail(value.line(), "texture " + in_quotes(t.name) +
                                          (t.pattern ? " has no 'size', which a pattern needs"
                                                     : ": 'size' is for patterns; a file has its own"));
         return t;
+    }
+
+    std::vector<std::string> file_list(const JsonValue& list) {
+        std::vector<std::string> files;
+        const std::size_t count = list.kind() == JsonKind::array ? list.size() : 0;
+        if (count < 1 || count > static_cast<std::size_t>(kMaxFrames)) {
+            read_.wrong(list, "files of a texture", fmt::format("a list of 1 to {} names", kMaxFrames));
+            return files;
+        }
+        for (const JsonValue file : list) files.emplace_back(read_.text(file, "file of a texture"));
+        return files;
     }
 
     void add_texture(const TextureText& text) {
@@ -156,31 +159,71 @@ private:
             return read_.fail(text.line, fmt::format("there are more than {} textures", kMaxTextures));
         if (!texture_index_.emplace(text.name, index).second)
             return read_.fail(text.line, title + " is there twice, expected different names");
-        Texture texture;
-        texture.name = text.name;
-        texture.wrap = text.wrap;
-        if (text.file) {
-            texture.source.file = *text.file;
-            texture.texels = image_of(text);
-        } else if (allot(text, static_cast<std::size_t>((*text.size)[0]) * static_cast<std::size_t>((*text.size)[1]))) {
-            texture.source.pattern = *text.pattern;
-            texture.texels = make_pattern(*text.pattern, (*text.size)[0], (*text.size)[1], address_mark(index));
+        Texture like;  // all but the texels
+        like.name = text.name;
+        like.wrap = text.wrap;
+        like.source = {text.file.value_or(""), text.frames, text.pattern.value_or(Pattern::solid), 0};
+        std::vector<std::shared_ptr<const Texture>> frames;
+        for (Image& image : images_of(text, index)) {
+            Texture texture = like;
+            texture.texels = std::move(image);
+            if (!text.files.empty()) texture.source.file = text.files[frames.size()];
+            if (text.palette != 0) texture = with_palette(std::move(texture), text.palette);
+            frames.push_back(std::make_shared<const Texture>(std::move(texture)));
         }
         if (read_.failed()) return;
-        if (text.palette != 0) texture = with_palette(std::move(texture), text.palette);
+        const Texture& first = *frames[0];
         const auto is_power_of_two = [](int size) { return (size & (size - 1)) == 0; };
-        if (texture.wrap == Wrap::mask && !(is_power_of_two(texture.width()) && is_power_of_two(texture.height())))
+        if (first.wrap == Wrap::mask && !(is_power_of_two(first.width()) && is_power_of_two(first.height())))
             warn(text.line, fmt::format("{} is {} x {}, but wrap 'mask' is for powers of two and will skip texels",
-                                        title, texture.width(), texture.height()));
-        textures.push_back(std::make_shared<const Texture>(std::move(texture)));
+                                        title, first.width(), first.height()));
+        textures.push_back(frames[0]);
+        if (!text.pattern && !(text.file && text.frames == 0))
+            loaded_.scene.animations.push_back({index, std::move(frames)});
     }
 
-    Image image_of(const TextureText& text) {
+    /// The texture's image; of one that moves, all its frames. None after an error.
+    std::vector<Image> images_of(const TextureText& text, int index) {
+        std::vector<Image> images;
+        if (text.pattern) {
+            const auto [width, height] = *text.size;
+            if (allot(text, static_cast<std::size_t>(width) * static_cast<std::size_t>(height)))
+                images.push_back(make_pattern(*text.pattern, width, height, address_mark(index)));
+            return images;
+        }
+        if (text.files.empty()) {
+            Image image = image_of(text, *text.file);
+            if (read_.failed()) return images;
+            if (text.frames == 0) {
+                images.push_back(std::move(image));
+                return images;
+            }
+            Result<std::vector<Image>> frames = cut_frames(image, text.frames);
+            if (frames) return *std::move(frames);
+            fail_file(text, *text.file, frames.error().what);
+        }
+        for (const std::string& file : text.files) {
+            Image image = image_of(text, file);
+            if (read_.failed()) break;
+            images.push_back(std::move(image));
+            if (images.back().width() != images[0].width() || images.back().height() != images[0].height())
+                fail_file(text, file,
+                          fmt::format("is {} x {}, expected {} x {} as of the first", images.back().width(),
+                                      images.back().height(), images[0].width(), images[0].height()));
+        }
+        return images;
+    }
+
+    void fail_file(const TextureText& text, const std::string& file, const std::string& what) {
+        read_.fail(text.line, "texture " + in_quotes(text.name) + ": file " + in_quotes(file) + " " + what);
+    }
+
+    Image image_of(const TextureText& text, const std::string& file) {
         const auto fail = [&](const std::string& what) -> Image {
-            read_.fail(text.line, "texture " + in_quotes(text.name) + ": file " + in_quotes(*text.file) + " " + what);
+            fail_file(text, file, what);
             return {};
         };
-        const Result<fs::path> path = resolve(*text.file, files_);
+        const Result<fs::path> path = resolve_scene_file(file, files_);
         if (!path) return fail(path.error().what);
         Result<Image> image = load_image(*path);
         if (!image) return fail(image.error().what);
@@ -210,33 +253,34 @@ private:
                 warn(value.line(), fmt::format("polygon {} is not convex, expected a convex one", polygons.size()));
             polygons.push_back(std::move(polygon));
         }
-        if (!polygons.empty() && loaded_.scene.textures.empty()) {
-            Texture grey;
-            grey.name = "grey";
-            grey.texels = make_pattern(Pattern::solid, 1, 1, 0);
-            loaded_.scene.textures.push_back(std::make_shared<const Texture>(std::move(grey)));
-        }
+    }
+
+    void add_grey() {
+        Texture grey;
+        grey.name = "grey";
+        grey.texels = make_pattern(Pattern::solid, 1, 1, 0);
+        loaded_.scene.textures.push_back(std::make_shared<const Texture>(std::move(grey)));
+    }
+
+    int find_texture(const JsonValue& name, std::string_view what) {
+        const auto found = texture_index_.find(std::string(read_.text(name, what)));
+        if (found != texture_index_.end()) return found->second;
+        read_.wrong(name, what, "the name of one of the scene's textures");
+        return 0;
     }
 
     Polygon read_polygon(const JsonValue& value) {
         Polygon polygon;
-        read_.object(value, "a polygon",
-                     optional("texture",
-                              [&](const JsonValue& v) {
-                                  const auto found =
-                                      texture_index_.find(std::string(read_.text(v, "texture of a polygon")));
-                                  if (found != texture_index_.end())
-                                      polygon.texture = found->second;
-                                  else
-                                      read_.wrong(v, "texture of a polygon", "the name of one of the scene's textures");
-                              }),
-                     optional("light",
-                              [&](const JsonValue& v) {
-                                  polygon.light = read_.number(v, "light");
-                                  if (polygon.light < 0 && std::isfinite(polygon.light))
-                                      read_.wrong(v, "light", "0 or more");
-                              }),
-                     required("vertices", [&](const JsonValue& v) { read_vertices(v, polygon); }));
+        read_.object(
+            value, "a polygon",
+            optional("texture", [&](const JsonValue& v) { polygon.texture = find_texture(v, "texture of a polygon"); }),
+            optional("blend", [&](const JsonValue& v) { polygon.half = read_.choice(v, "blend", kBlendNames) == 1; }),
+            optional("light",
+                     [&](const JsonValue& v) {
+                         polygon.light = read_.number(v, "light");
+                         if (polygon.light < 0 && std::isfinite(polygon.light)) read_.wrong(v, "light", "0 or more");
+                     }),
+            required("vertices", [&](const JsonValue& v) { read_vertices(v, polygon); }));
         return polygon;
     }
 

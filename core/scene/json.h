@@ -9,19 +9,15 @@
 
 #include "core/base/result.h"
 #include "core/scene/scene.h"
+#include "core/scene/scene_files.h"
 
 namespace texelscope {
 
 inline constexpr std::size_t kMaxSceneBytes = std::size_t{256} << 20;  ///< the longest scene text
 inline constexpr std::size_t kMaxSceneTexels = std::size_t{1} << 28;   ///< of all textures of a scene together
 inline constexpr int kMaxTextures = 4096;                              ///< of one scene
+inline constexpr int kMaxFrames = 256;                                 ///< of one texture that moves
 inline constexpr int kMaxOrigin = 1 << 30;                             ///< the farthest window, either way [px]
-
-/// Where a scene's texture files may lie: in either folder's tree, links resolved.
-struct SceneFiles {
-    std::filesystem::path folder;  ///< what file names are relative to; empty: the scene may have no files
-    std::filesystem::path assets;  ///< may be empty
-};
 
 struct LoadedScene {
     Scene scene;
@@ -29,8 +25,9 @@ struct LoadedScene {
 };
 
 /// Reads a scene. A JSON number is a double, as in any reader, rounded to float32. A polygon that polygon_fault names
-/// stays in the scene, so that indices hold, and gets a warning. A polygon without a texture has the first one; if the
-/// scene has none, a grey one is added. Every error's place is `name`:LINE.
+/// stays in the scene, so that indices hold, and gets a warning. A polygon or mesh without a texture has the first one;
+/// if the scene has none, a grey one is added. The meshes are placed (core/scene/place.h). Every error's place is
+/// `name`:LINE.
 /// @param first_line  the number of the text's first line.
 Result<LoadedScene> parse_scene(std::string_view text, std::string_view name, const SceneFiles& files,
                                 int first_line = 1);
@@ -51,8 +48,9 @@ struct SceneLine {
 /// is not blank holds a whole object, and another follows.
 [[nodiscard]] bool is_scene_lines(std::string_view text);
 
-/// The scene as a file. parse_scene gives an equal scene back, provided that its textures came from parse_scene (a
-/// texture without a source becomes a grey one of its size) and that files are found from the new place.
+/// The scene as a file, without the polygons that were made from meshes. parse_scene gives an equal scene back,
+/// provided that its textures came from parse_scene (a texture without a source becomes a grey one of its size) and
+/// that files are found from the new place.
 [[nodiscard]] std::string scene_to_json(const Scene& scene);
 
 }  // namespace texelscope

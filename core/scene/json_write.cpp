@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "core/scene/json.h"
 #include "core/scene/names.h"
@@ -33,16 +34,27 @@ std::string json_number(float value) {
     return fmt::format("{}", value);
 }
 
-std::string texture_json(const Texture& texture) {
+/// @param animation  of which the texture is a frame; null for one that does not move.
+std::string texture_json(const Texture& texture, const Animation* animation) {
     std::string out = "{ \"name\": " + json_text(texture.name);
-    if (!texture.source.file.empty())
-        out += ", \"file\": " + json_text(texture.source.file);
-    else
+    const TextureSource& source = texture.source;
+    if (animation != nullptr && source.frames == 0) {
+        out += ", \"files\": [";
+        const char* before = "";
+        for (const auto& frame : animation->frames) {
+            out += before + json_text(frame->source.file);
+            before = ", ";
+        }
+        out += "]";
+    } else if (!source.file.empty()) {
+        out += ", \"file\": " + json_text(source.file);
+        if (source.frames != 0) fmt::format_to(Out(out), ", \"frames\": {}", source.frames);
+    } else {
         fmt::format_to(Out(out), ", \"pattern\": \"{}\", \"size\": [{}, {}]",
-                       kPatternNames[static_cast<std::size_t>(texture.source.pattern)], texture.width(),
-                       texture.height());
+                       kPatternNames[static_cast<std::size_t>(source.pattern)], texture.width(), texture.height());
+    }
     fmt::format_to(Out(out), ", \"wrap\": \"{}\"", kWrapNames[static_cast<std::size_t>(texture.wrap)]);
-    if (texture.source.palette != 0) fmt::format_to(Out(out), ", \"palette\": {}", texture.source.palette);
+    if (source.palette != 0) fmt::format_to(Out(out), ", \"palette\": {}", source.palette);
     return out + " }";
 }
 
@@ -50,6 +62,7 @@ void write_polygon(const Polygon& polygon, const Scene& scene, std::string& out)
     out += "{ ";
     if (polygon.texture >= 0 && polygon.texture < static_cast<int>(scene.textures.size()))
         out += "\"texture\": " + json_text(scene.textures[static_cast<std::size_t>(polygon.texture)]->name) + ", ";
+    if (polygon.half) out += "\"blend\": \"half\", ";
     fmt::format_to(Out(out), "\"light\": {}, \"vertices\": [", json_number(polygon.light));
     const char* before = "\n      ";
     for (const Vertex& v : polygon.vertices) {
@@ -59,6 +72,37 @@ void write_polygon(const Polygon& polygon, const Scene& scene, std::string& out)
         before = ",\n      ";
     }
     out += " ] }";
+}
+
+std::string json_vector(const glm::vec3& v) {
+    return fmt::format("[{}, {}, {}]", json_number(v.x), json_number(v.y), json_number(v.z));
+}
+
+void write_mesh(const MeshPlacement& mesh, const Scene& scene, std::string& out) {
+    if (mesh.shape == Shape3d::obj)
+        out += "{ \"obj\": " + json_text(mesh.file);
+    else
+        fmt::format_to(Out(out), "{{ \"solid\": \"{}\"", kSolidNames[static_cast<std::size_t>(mesh.shape)]);
+    std::string names;
+    for (const int texture : mesh.textures)
+        if (texture >= 0 && texture < static_cast<int>(scene.textures.size()))
+            names += (names.empty() ? "" : ", ") + json_text(scene.textures[static_cast<std::size_t>(texture)]->name);
+    if (!names.empty()) out += ", \"texture\": [" + names + "]";
+    fmt::format_to(Out(out), ", \"rotate\": {}, \"move\": {}, \"scale\": {}", json_vector(mesh.rotate),
+                   json_vector(mesh.move), json_number(mesh.scale));
+    if (mesh.shape == Shape3d::jelly_cubes)
+        fmt::format_to(Out(out), ", \"ratio\": {}, \"rotate2\": {}", json_number(mesh.ratio),
+                       json_vector(mesh.rotate2));
+    if (mesh.half) out += ", \"blend\": \"half\"";
+    if (mesh.light) out += ", \"light\": " + json_number(*mesh.light);
+    out += " }";
+}
+
+void write_camera(const Camera& camera, std::string& out) {
+    std::string members;
+    if (camera.focal > 0) members += " \"focal\": " + json_number(camera.focal);
+    if (camera.near > 0) members += (members.empty() ? " \"near\": " : ", \"near\": ") + json_number(camera.near);
+    if (!members.empty()) out += ",\n  \"camera\": {" + members + " }";
 }
 
 }  // namespace
@@ -75,18 +119,32 @@ std::string scene_to_json(const Scene& scene) {
                    kCullNames[static_cast<std::size_t>(scene.cull)]);
     out += "  \"textures\": [";
     const char* before = "\n    ";
-    for (const auto& texture : scene.textures) {
-        out += before + texture_json(*texture);
+    std::vector<const Animation*> moves(scene.textures.size());
+    for (const Animation& animation : scene.animations)
+        if (!animation.frames.empty()) moves[static_cast<std::size_t>(animation.texture)] = &animation;
+    for (std::size_t n = 0; n < scene.textures.size(); ++n) {
+        out += before + texture_json(*scene.textures[n], moves[n]);
         before = ",\n    ";
     }
     out += " ],\n  \"polygons\": [";
     before = "\n    ";
     for (const Polygon& polygon : scene.polygons) {
+        if (polygon.mesh >= 0) continue;
         out += before;
         write_polygon(polygon, scene, out);
         before = ",\n    ";
     }
-    return out + " ] }\n";
+    out += " ]";
+    if (!scene.meshes.empty()) out += ",\n  \"meshes\": [";
+    before = "\n    ";
+    for (const MeshPlacement& mesh : scene.meshes) {
+        out += before;
+        write_mesh(mesh, scene, out);
+        before = ",\n    ";
+    }
+    if (!scene.meshes.empty()) out += " ]";
+    write_camera(scene.camera, out);
+    return out + " }\n";
 }
 
 }  // namespace texelscope

@@ -11,5 +11,9 @@ namespace texelscope {
 inline constexpr std::array<std::string_view, 2> kDepthNames{"off", "less"};
 inline constexpr std::array<std::string_view, 2> kCullNames{"none", "back"};
 inline constexpr std::array<std::string_view, 3> kWrapNames{"repeat", "mask", "clamp"};
+inline constexpr std::array<std::string_view, 2> kBlendNames{"none", "half"};  ///< of Polygon::half
+/// Of Shape3d but `obj`, which a scene spells by its file.
+inline constexpr std::array<std::string_view, 5> kSolidNames{"cube", "dodecahedron", "icosahedron", "torus",
+                                                             "jelly-cubes"};
 
 }  // namespace texelscope

@@ -81,6 +81,13 @@ float ValueReader::number(const JsonValue& value, std::string_view what) {
     return 0;
 }
 
+float ValueReader::number_within(const JsonValue& value, std::string_view what, float low, float high) {
+    const float read = number(value, what);
+    if (read >= low && read <= high) return read;
+    wrong(value, what, fmt::format("a number from {:g} to {:g}", low, high));
+    return low;
+}
+
 std::string_view ValueReader::text(const JsonValue& value, std::string_view what) {
     if (value.kind() == JsonKind::text) return value.text();
     wrong(value, what, "a text");

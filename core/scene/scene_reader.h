@@ -59,6 +59,21 @@ public:
     [[nodiscard]] int whole(const JsonValue& value, std::string_view what, int low, int high);
     [[nodiscard]] float number(const JsonValue& value, std::string_view what);
     [[nodiscard]] std::string_view text(const JsonValue& value, std::string_view what);
+    /// A finite number in [low, high].
+    [[nodiscard]] float number_within(const JsonValue& value, std::string_view what, float low, float high);
+    /// `count` numbers in [low, high].
+    template <std::size_t count>
+    [[nodiscard]] std::array<float, count> numbers_within(const JsonValue& value, std::string_view what, float low,
+                                                          float high) {
+        std::array<float, count> numbers{};
+        if (value.kind() != JsonKind::array || value.size() != count) {
+            wrong(value, what, "a list of " + std::to_string(count) + " numbers");
+            return numbers;
+        }
+        std::size_t i = 0;
+        for (const JsonValue item : value) numbers[i++] = number_within(item, what, low, high);
+        return numbers;
+    }
     /// `count` whole numbers.
     template <std::size_t count>
     [[nodiscard]] std::array<int, count> wholes(const JsonValue& value, std::string_view what, int low, int high) {

@@ -86,6 +86,110 @@ TEST_F(SceneTextures, SurviveWriting) {
     EXPECT_EQ(*again->scene.textures[0], *scene->scene.textures[0]);
 }
 
+/// root/scene/ with a strip of ten frames, two pictures of one size, one of another, and a model.
+class SceneParts : public SceneTextures {
+protected:
+    void SetUp() override {
+        SceneTextures::SetUp();
+        const Image strip = make_pattern(Pattern::address, 4, 40, 1);
+        ASSERT_FALSE(write_file_atomically(root_ / "scene/strip.png", *encode_png(strip)));
+        const Image other = make_pattern(Pattern::checker, 5, 3, 1), large = make_pattern(Pattern::uv, 6, 3, 1);
+        ASSERT_FALSE(write_file_atomically(root_ / "scene/other.png", *encode_png(other)));
+        ASSERT_FALSE(write_file_atomically(root_ / "scene/large.png", *encode_png(large)));
+        const std::string model = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+        ASSERT_FALSE(write_file_atomically(root_ / "scene/m.obj", bytes_of(model)));
+        ASSERT_FALSE(write_file_atomically(root_ / "secret.obj", bytes_of(model)));
+        const std::string bad = "v 0 0 0\nf 1 1 1\n";
+        ASSERT_FALSE(write_file_atomically(root_ / "scene/bad.obj", bytes_of(bad)));
+    }
+    [[nodiscard]] Result<LoadedScene> with(const std::string& members) const {
+        return parse_scene("{\"texelscope\":1,\n" + members + "}", "s.json", {root_ / "scene", root_ / "assets"});
+    }
+    [[nodiscard]] std::string error_with(const std::string& members) const {
+        const Result<LoadedScene> scene = with(members);
+        return scene ? "none" : scene.error().text();
+    }
+};
+
+TEST_F(SceneParts, StripIsAnAnimation) {
+    Result<LoadedScene> read = with(R"("textures":[{"name":"t","pattern":"uv","size":[2,2]},
+        {"name":"s","file":"strip.png","frames":10,"palette":2}])");
+    ASSERT_TRUE(read) << read.error().text();
+    Scene& scene = read->scene;
+    ASSERT_EQ(scene.animations.size(), 1u);
+    EXPECT_EQ(scene.animations[0].texture, 1);
+    ASSERT_EQ(scene.animations[0].frames.size(), 10u);
+    EXPECT_EQ(scene.textures[1], scene.animations[0].frames[0]);
+    const std::string text = scene_to_json(scene);
+    show_frame(scene, 13);
+    EXPECT_EQ(scene.textures[1], scene.animations[0].frames[3]);
+    EXPECT_EQ(scene.textures[1]->width(), 4);
+    EXPECT_EQ(scene.textures[1]->height(), 4);
+    EXPECT_EQ(scene.textures[1]->palette.size(), 2u);
+    EXPECT_EQ(scene_to_json(scene), text);  // whichever frame is shown
+    const Result<LoadedScene> again = parse_scene(text, "again", {root_ / "scene", {}});
+    ASSERT_TRUE(again) << again.error().text();
+    for (std::size_t n = 0; n < 10; ++n)
+        EXPECT_EQ(*again->scene.animations[0].frames[n], *scene.animations[0].frames[n]);
+}
+
+TEST_F(SceneParts, ListOfFilesIsAnAnimation) {
+    Result<LoadedScene> read = with(R"("textures":[{"name":"s","files":["a.png","other.png","sub/b.png"]}])");
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->scene.animations.size(), 1u);
+    ASSERT_EQ(read->scene.animations[0].frames.size(), 3u);
+    EXPECT_EQ(read->scene.textures[0]->texels, picture_);
+    show_frame(read->scene, 1);
+    EXPECT_EQ(read->scene.textures[0]->texels, make_pattern(Pattern::checker, 5, 3, 1));
+    const Result<LoadedScene> again = parse_scene(scene_to_json(read->scene), "again", {root_ / "scene", {}});
+    ASSERT_TRUE(again) << again.error().text();
+    EXPECT_EQ(again->scene.animations[0].frames.size(), 3u);
+}
+
+TEST_F(SceneParts, BadFramesAreNamed) {
+    const std::string start = "\"textures\":[{\"name\":\"s\",";
+    EXPECT_EQ(error_with(start + "\"files\":[\"a.png\",\"large.png\"]}]"),
+              "s.json:2: texture 's': file 'large.png' is 6 x 3, expected 5 x 3 as of the first");
+    EXPECT_EQ(error_with(start + "\"file\":\"strip.png\",\"frames\":3}]"),
+              "s.json:2: texture 's': file 'strip.png' is 4 x 40, expected a side of 3 equal frames");
+    EXPECT_EQ(error_with(start + "\"files\":[\"a.png\",\"../secret.png\"]}]"),
+              "s.json:2: texture 's': file '../secret.png' lies outside the scene's folder and the assets");
+    EXPECT_EQ(error_with(start + "\"files\":[]}]"),
+              "s.json:2: files of a texture is a list of 0, expected a list of 1 to 256 names");
+    EXPECT_EQ(error_with(start + "\"files\":[\"a.png\"],\"frames\":3}]"),
+              "s.json:2: texture 's': 'frames' is for a 'file'");
+    EXPECT_EQ(error_with(start + "\"files\":[\"a.png\"],\"file\":\"a.png\"}]"),
+              "s.json:2: texture 's': expected either 'file', 'files' or 'pattern'");
+    EXPECT_EQ(error_with(start + "\"file\":\"strip.png\",\"frames\":0}]"),
+              "s.json:2: frames is 0, expected a whole number from 1 to 256");
+}
+
+TEST_F(SceneParts, ModelIsReadOnceAndPlaced) {
+    const Result<LoadedScene> read =
+        with(R"("meshes":[{"obj":"m.obj","move":[0,0,4]},{"obj":"sub/../m.obj","move":[1,0,4]}])");
+    ASSERT_TRUE(read) << read.error().text();
+    const Scene& scene = read->scene;
+    EXPECT_EQ(scene.meshes[0].model, scene.meshes[1].model);
+    EXPECT_EQ(scene.polygons.size(), 2u);
+    const Result<LoadedScene> again = parse_scene(scene_to_json(scene), "again", {root_ / "scene", {}});
+    ASSERT_TRUE(again) << again.error().text();
+    EXPECT_EQ(again->scene.polygons, scene.polygons);
+    EXPECT_EQ(again->scene.meshes[1].file, "sub/../m.obj");
+}
+
+TEST_F(SceneParts, BadModelsAreNamed) {
+    const auto with_obj = [&](const std::string& file) {
+        return error_with("\"meshes\":[{\"obj\":\"" + file + "\"}]");
+    };
+    EXPECT_EQ(with_obj("bad.obj"),
+              "s.json:2: a mesh: file 'bad.obj':2: two corners of the face that follow each other are at one place");
+    EXPECT_EQ(with_obj("none.obj"), "s.json:2: a mesh: file 'none.obj' does not exist");
+    EXPECT_EQ(with_obj("../secret.obj"),
+              "s.json:2: a mesh: file '../secret.obj' lies outside the scene's folder and the assets");
+    EXPECT_EQ(with_obj("a.png"), "s.json:2: a mesh: file 'a.png':3: has a character of no text");
+    EXPECT_EQ(with_obj("sub").substr(0, 29), "s.json:2: a mesh: file 'sub' ");
+}
+
 TEST(LoadScene, MissingFileIsNamed) {
     EXPECT_EQ(load_scene("none/s.json").error().where, "none/s.json");
     EXPECT_FALSE(load_scene("/"));
