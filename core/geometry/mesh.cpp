@@ -12,7 +12,7 @@ const glm::dvec3& position(std::span<const glm::dvec3> vertices, const FaceCorne
 
 }  // namespace
 
-glm::dvec3 area_vector(std::span<const glm::dvec3> vertices, const Face& face) {
+glm::dvec3 area_vector(std::span<const glm::dvec3> vertices, const MeshFace& face) {
     glm::dvec3 sum(0);
     if (face.empty()) return sum;
     const glm::dvec3 first = position(vertices, face[0]);  // sides as seen from a corner: small numbers round less
@@ -21,7 +21,7 @@ glm::dvec3 area_vector(std::span<const glm::dvec3> vertices, const Face& face) {
     return sum;
 }
 
-glm::dvec3 middle(std::span<const glm::dvec3> vertices, const Face& face) {
+glm::dvec3 middle(std::span<const glm::dvec3> vertices, const MeshFace& face) {
     glm::dvec3 sum(0);
     for (const FaceCorner& corner : face) sum += position(vertices, corner);
     return face.empty() ? sum : sum / static_cast<double>(face.size());

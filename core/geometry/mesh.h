@@ -24,18 +24,18 @@ struct FaceCorner {
 };
 
 /// A convex polygon: a ring of three or more corners.
-using Face = std::vector<FaceCorner>;
+using MeshFace = std::vector<FaceCorner>;
 
 struct Mesh {
     std::vector<glm::dvec3> vertices;
-    std::vector<Face> faces;
+    std::vector<MeshFace> faces;
     friend bool operator==(const Mesh&, const Mesh&) = default;
 };
 
 /// Points outwards; its length is twice the face's area. Where the face is not flat, a mean over its ring.
-[[nodiscard]] glm::dvec3 area_vector(std::span<const glm::dvec3> vertices, const Face& face);
+[[nodiscard]] glm::dvec3 area_vector(std::span<const glm::dvec3> vertices, const MeshFace& face);
 
 /// The mean of the face's corners.
-[[nodiscard]] glm::dvec3 middle(std::span<const glm::dvec3> vertices, const Face& face);
+[[nodiscard]] glm::dvec3 middle(std::span<const glm::dvec3> vertices, const MeshFace& face);
 
 }  // namespace texelscope

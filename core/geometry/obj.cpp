@@ -189,7 +189,7 @@ Loaded load(std::string_view text) {
 }
 
 /// Why the face cannot be drawn, or an empty text.
-std::string fault(const Mesh& mesh, const Face& face) {
+std::string fault(const Mesh& mesh, const MeshFace& face) {
     const auto at = [&](std::size_t i) {
         return mesh.vertices[static_cast<std::size_t>(face[i % face.size()].vertex)];
     };
@@ -238,7 +238,7 @@ Result<Mesh> parse_obj(std::string_view text, std::string_view name) {
     }
     for (std::size_t n = 0; n < loaded.faces.size(); ++n) {
         const auto& ring = loaded.faces[n];
-        Face face;
+        MeshFace face;
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const Loaded::Corner& corner = ring[i];
             if (corner.vertex < 0 || corner.vertex >= static_cast<std::int64_t>(loaded.vertices.size()))

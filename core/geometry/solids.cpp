@@ -52,7 +52,7 @@ Points twenty() {
 
 /// The ring of the corners that lie farthest along `normal`, clockwise as seen from outside; the first is at the top,
 /// or the left one of two.
-Face farthest(const Points& corners, const glm::dvec3& normal) {
+MeshFace farthest(const Points& corners, const glm::dvec3& normal) {
     const glm::dvec3 out = glm::normalize(normal);
     const bool lies = std::fabs(out.y) > 1 - 1e-9;
     const glm::dvec3 top = lies ? glm::dvec3(0, 0, out.y) : glm::dvec3(0, 1, 0);
@@ -67,7 +67,7 @@ Face farthest(const Points& corners, const glm::dvec3& normal) {
     for (auto& [angle, corner] : ring)
         if (angle < -half_step - 1e-6) angle += kTurn;
     std::sort(ring.begin(), ring.end());
-    Face face;
+    MeshFace face;
     for (const auto& [angle, corner] : ring)
         face.push_back({corner, polygon_uv(static_cast<int>(face.size()), static_cast<int>(ring.size()))});
     return face;

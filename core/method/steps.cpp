@@ -1,6 +1,7 @@
 #include "core/method/steps.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace texelscope {
 namespace {
@@ -134,14 +135,42 @@ Path Steps::at_level(const Path& path, Level level) {
 
 std::optional<Path> Steps::at_pixel(int shape, Integer x, Integer y) {
     const Path whole{{{'t', shape}}};
+    const auto coordinate = [&](char letter) { return letter == 'x' ? x : y; };
+    const auto over_pixels = [](const std::optional<Loop>& loop) {
+        return loop && (loop->letter == 'x' || loop->letter == 'y');
+    };
     for (auto s = static_cast<Integer>(at(whole).stages.size()) - 1; s >= 0; --s) {
-        const Path stage = whole.child('s', s), row = stage.child('y', y);
-        const auto& rows = at(stage).unit().loop;
-        if (!rows || rows->letter != 'y' || !rows->contains(y)) continue;
-        const auto& columns = at(row).unit().loop;
-        if (columns && columns->letter == 'x' && columns->contains(x)) return row.child('x', x);
+        const Path stage = whole.child('s', s);
+        const std::optional<Loop> outer = at(stage).unit().loop;
+        if (!outer) continue;
+        if (!over_pixels(outer)) return by_texel(stage, x, y);
+        if (!outer->contains(coordinate(outer->letter))) continue;
+        const Path line = stage.child(outer->letter, coordinate(outer->letter));
+        const std::optional<Loop> inner = at(line).unit().loop;
+        if (!inner) continue;
+        if (!over_pixels(inner)) return by_texel(stage, x, y);
+        if (inner->contains(coordinate(inner->letter))) return line.child(inner->letter, coordinate(inner->letter));
     }
     return std::nullopt;
+}
+
+/// Where a method runs over texels, the last sample that came to the pixel says which texel's step it was.
+std::optional<Path> Steps::by_texel(const Path& stage, Integer x, Integer y) {
+    const int shape = static_cast<int>(stage.parts[0].index);
+    const Rect pixel{static_cast<int>(x), static_cast<int>(y), static_cast<int>(x) + 1, static_cast<int>(y) + 1};
+    std::optional<Sample> last;
+    each_sample(*drawing_, shape, shape + 1, {pixel, 1}, [&](int, const Sample& s) { last = s; });
+    if (!last) return std::nullopt;
+    Path path = stage;
+    while (path.depth() < 4) {
+        const std::optional<Loop> loop = at(path).unit().loop;
+        if (!loop) return std::nullopt;
+        const double place = loop->letter == 'u' ? std::floor(last->u) : std::floor(last->v);
+        const Integer index = loop->letter == 'x' ? x : loop->letter == 'y' ? y : static_cast<Integer>(place);
+        if (!loop->contains(index)) return std::nullopt;
+        path = path.child(loop->letter, index);
+    }
+    return path;
 }
 
 std::optional<Path> Steps::nearest(const Path& wanted, Level level) {

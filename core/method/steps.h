@@ -33,6 +33,7 @@ public:
     [[nodiscard]] const Drawing& drawing() const { return *drawing_; }
 
 private:
+    [[nodiscard]] std::optional<Path> by_texel(const Path& stage, Integer x, Integer y);
     [[nodiscard]] Path first_in(const Path& unit, Level level);
     [[nodiscard]] Path last_in(const Path& unit, Level level);
     [[nodiscard]] std::optional<Path> after(const Path& unit, Level level);

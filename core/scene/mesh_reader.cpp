@@ -110,7 +110,7 @@ void MeshReader::allot(const JsonValue& value, const MeshPlacement& mesh) {
     faces_ += is_obj ? mesh.model->faces.size() : kMostJellyPieces;
     corners_ += is_obj ? mesh.model->vertices.size() : kMostJellyPieces;
     if (is_obj)
-        for (const Face& face : mesh.model->faces) corners_ += face.size();
+        for (const MeshFace& face : mesh.model->faces) corners_ += face.size();
     if (faces_ > kMaxMeshPolygons)
         read_.fail(value.line(), fmt::format("the meshes have more than {} faces together", kMaxMeshPolygons));
     if (corners_ > static_cast<std::size_t>(kMaxMeshVertices) + static_cast<std::size_t>(kMaxMeshCorners))

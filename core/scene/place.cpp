@@ -16,7 +16,7 @@ namespace {
 Mesh mesh_of(const JellyCubes& cubes) {
     Mesh mesh;
     for (const JellyPiece& piece : cubes.pieces) {
-        Face face;
+        MeshFace face;
         for (const ClipVertex& vertex : piece.ring) {
             face.push_back({static_cast<int>(mesh.vertices.size()), vertex.uv});
             mesh.vertices.emplace_back(vertex.position);
@@ -92,7 +92,7 @@ private:
         }
     }
 
-    void place_face(std::size_t index, std::size_t n, std::span<const glm::dvec3> vertices, const Face& face,
+    void place_face(std::size_t index, std::size_t n, std::span<const glm::dvec3> vertices, const MeshFace& face,
                     int texture) {
         const MeshPlacement& placement = scene_.meshes[index];
         const glm::dvec3 area = area_vector(vertices, face);
@@ -118,7 +118,8 @@ private:
     }
 
     /// The corners of the face's part beyond the near plane; none where there is no such part.
-    std::vector<Vertex> project(std::span<const glm::dvec3> vertices, const Face& face, const Texture& texture) const {
+    std::vector<Vertex> project(std::span<const glm::dvec3> vertices, const MeshFace& face,
+                                const Texture& texture) const {
         ClipRing ring;
         for (const FaceCorner& corner : face)
             ring.push_back(clip_vertex(to_clip(view_, vertices[static_cast<std::size_t>(corner.vertex)]), corner.uv));

@@ -32,7 +32,7 @@ const glm::dvec3& at(const Mesh& mesh, const FaceCorner& corner) {
 /// How often each directed side is there.
 std::map<std::pair<int, int>, int> sides(const Mesh& mesh) {
     std::map<std::pair<int, int>, int> count;
-    for (const Face& face : mesh.faces)
+    for (const MeshFace& face : mesh.faces)
         for (std::size_t i = 0; i < face.size(); ++i) ++count[{face[i].vertex, face[(i + 1) % face.size()].vertex}];
     return count;
 }
@@ -42,7 +42,7 @@ TEST(Solids, HaveTheirNumberOfCornersAndFaces) {
         SCOPED_TRACE(solid.name);
         EXPECT_EQ(solid.mesh.vertices.size(), static_cast<std::size_t>(solid.vertices));
         ASSERT_EQ(solid.mesh.faces.size(), static_cast<std::size_t>(solid.faces));
-        for (const Face& face : solid.mesh.faces) EXPECT_EQ(face.size(), static_cast<std::size_t>(solid.corners));
+        for (const MeshFace& face : solid.mesh.faces) EXPECT_EQ(face.size(), static_cast<std::size_t>(solid.corners));
         if (solid.reach > 0) {
             for (const glm::dvec3& vertex : solid.mesh.vertices) EXPECT_NEAR(glm::length(vertex), solid.reach, 1e-15);
         }
@@ -65,7 +65,7 @@ TEST(Solids, AreClosedAndEulersFormulaHolds) {
 TEST(Solids, FacesAreFlatAndPointOutwards) {
     for (const Named& solid : solids()) {
         SCOPED_TRACE(solid.name);
-        for (const Face& face : solid.mesh.faces) {
+        for (const MeshFace& face : solid.mesh.faces) {
             const glm::dvec3 normal = glm::normalize(area_vector(solid.mesh.vertices, face));
             const glm::dvec3 centre = middle(solid.mesh.vertices, face);
             for (const FaceCorner& corner : face)
@@ -95,7 +95,7 @@ TEST(Solids, TexturesOfPlatosAreNotDistorted) {
     for (const Named& solid : solids()) {
         if (solid.name == "torus") continue;
         SCOPED_TRACE(solid.name);
-        for (const Face& face : solid.mesh.faces) {
+        for (const MeshFace& face : solid.mesh.faces) {
             const double factor =
                 glm::length(face[1].uv - face[0].uv) / glm::length(at(solid.mesh, face[1]) - at(solid.mesh, face[0]));
             double area = 0;
@@ -115,7 +115,7 @@ TEST(Solids, TexturesOfPlatosAreNotDistorted) {
 TEST(Solids, CubesFacesLookAlongTheirAxesAndStandUpright) {
     const Mesh mesh = cube();
     for (int n = 0; n < 6; ++n) {
-        const Face& face = mesh.faces[static_cast<std::size_t>(n)];
+        const MeshFace& face = mesh.faces[static_cast<std::size_t>(n)];
         glm::dvec3 normal(0);
         normal[n / 2] = n % 2 == 0 ? 1 : -1;
         EXPECT_EQ(middle(mesh.vertices, face), normal);
@@ -125,7 +125,7 @@ TEST(Solids, CubesFacesLookAlongTheirAxesAndStandUpright) {
             }
         }
     }
-    const Face& front = mesh.faces[5];  // seen by the viewer: its left is the texture's
+    const MeshFace& front = mesh.faces[5];  // seen by the viewer: its left is the texture's
     for (const FaceCorner& corner : front) EXPECT_EQ(corner.uv.x, at(mesh, corner).x < 0 ? 0 : 1);
 }
 
@@ -141,7 +141,7 @@ TEST(Solids, TorusIsThePublishedOne) {
                                                 {(i + 1) % 7 + (j + 1) % 13 * 7, {1, 1}},
                                                 {i + (j + 1) % 13 * 7, {1, 0}},
                                                 {i + j * 7, {0, 0}}};
-            const Face& face = mesh.faces[static_cast<std::size_t>(i * 13 + j)];
+            const MeshFace& face = mesh.faces[static_cast<std::size_t>(i * 13 + j)];
             for (const FaceCorner& corner : face) EXPECT_EQ(uvs.at(corner.vertex), corner.uv);
         }
     }

@@ -138,6 +138,21 @@ TEST(Steps, NearestGivesAStepThatExists) {
     });
 }
 
+/// Whatever a method's loops run over, a sample that it puts is found again by its pixel.
+TEST(Steps, ThePixelOfASampleLeadsToAStepThatWritesIt) {
+    for_every_case([](const Drawing& drawing) {
+        Steps steps(drawing);
+        for (const auto& [shape, s] : laws::all_samples(drawing, {drawing.scene().framebuffer.rect(), 1})) {
+            if (s.fate != Fate::written || s.note != Note::none) continue;
+            const std::optional<Path> path = steps.at_pixel(shape, s.x, s.y);
+            ASSERT_TRUE(path) << s.x << ", " << s.y;
+            const Visit& found = steps.at(*path);
+            ASSERT_TRUE(found.found) << path->text();
+            ASSERT_EQ(found.unit().fate, Fate::written) << path->text();
+        }
+    });
+}
+
 TEST(Steps, AnEmptySceneHasNone) {
     const Scene scene;
     for (const Method* method : methods()) {

@@ -68,7 +68,7 @@ TEST(Place, FacingOnTheScreenIsFacingInTheWorld) {
                                                            : torus();
         const glm::dmat3 turn = rotation(scene.meshes[0].rotate);
         for (const PlacedFace& placed : place_meshes(scene)) {
-            const Face& face = mesh.faces[static_cast<std::size_t>(placed.face)];
+            const MeshFace& face = mesh.faces[static_cast<std::size_t>(placed.face)];
             const glm::dvec3 normal = turn * glm::normalize(area_vector(mesh.vertices, face));
             const glm::dvec3 centre =
                 turn * (middle(mesh.vertices, face) * double{scene.meshes[0].scale}) + glm::dvec3(scene.meshes[0].move);
@@ -93,7 +93,7 @@ TEST(Place, CornersAreThePublishedProjection) {
         const Polygon& polygon = scene.polygons[static_cast<std::size_t>(placed.polygon)];
         EXPECT_EQ(polygon.face, placed.face);
         EXPECT_EQ(polygon.texture, placed.face % 2);
-        const Face& face = mesh.faces[static_cast<std::size_t>(placed.face)];
+        const MeshFace& face = mesh.faces[static_cast<std::size_t>(placed.face)];
         const Texture& texture = *scene.textures[static_cast<std::size_t>(polygon.texture)];
         for (std::size_t i = 0; i < face.size(); ++i) {
             const glm::dvec3 p =
