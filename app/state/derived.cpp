@@ -11,7 +11,7 @@ namespace {
 
 [[nodiscard]] DrawSettings settings_of(const Work& work) {
     const Method* method = find_method(work.method);
-    return {method != nullptr ? method : methods().front(), work.format, work.quirks, work.mode};
+    return {method != nullptr ? method : &default_method(), work.format, work.quirks, work.mode};
 }
 
 [[nodiscard]] bool trivial(Op op) { return op == Op::input || op == Op::constant || op == Op::same; }

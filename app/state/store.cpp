@@ -57,7 +57,7 @@ State opened(std::shared_ptr<const Document> document, const State& before) {
         go_to_beat(state, 0, derived);
         return state;
     }
-    const Method& method = *methods().front();
+    const Method& method = default_method();
     state.work.method = method.id;
     state.work.variant = method.variants.back().id;
     state.work.quirks = method.variants.back().quirks;

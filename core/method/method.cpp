@@ -27,6 +27,11 @@ const Method* find_method(std::string_view id) {
     return nullptr;
 }
 
+const Method& default_method() {
+    const Method* const heart = find_method("edge-equations");
+    return heart != nullptr ? *heart : *methods().front();
+}
+
 const VariantInfo* find_variant(const Method& method, std::string_view id) {
     for (const VariantInfo& variant : method.variants) {
         if (variant.id == id) return &variant;

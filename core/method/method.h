@@ -96,6 +96,8 @@ struct Method {
 [[nodiscard]] std::span<const Method* const> methods();
 /// Null where there is none of that id.
 [[nodiscard]] const Method* find_method(std::string_view id);
+/// What draws a scene for which nobody asks for another: edge equations.
+[[nodiscard]] const Method& default_method();
 [[nodiscard]] const VariantInfo* find_variant(const Method& method, std::string_view id);
 /// The variant's quirks; those of the corrected one where it is unknown.
 [[nodiscard]] QuirkSet quirks_of(const Method& method, std::string_view variant);
