@@ -63,6 +63,7 @@ using ui::Expr;
         case Op::trunc: return "trunc";
         case Op::ceil: return "ceil";
         case Op::round_even: return "round";
+        case Op::single: return "f32";
         case Op::lesser: return "min";
         case Op::greater_of: return "max";
         case Op::invert: return "not";
@@ -229,6 +230,7 @@ private:
             case Op::trunc:
             case Op::ceil:
             case Op::round_even:
+            case Op::single:
             case Op::invert: return ui::call(function_name(op.op), {operand(op.a)});
             default: break;
         }

@@ -6,7 +6,7 @@
 namespace texelscope {
 namespace {
 
-constexpr std::array<QuirkInfo, 8> kQuirks{{
+constexpr std::array<QuirkInfo, 9> kQuirks{{
     {"Q1", "inclusive", "both own the side",
      "A sample is taken where E ≤ 0, so both triangles draw the samples of a shared side."},
     {"Q2", "one_winding", "one winding only",
@@ -21,8 +21,12 @@ constexpr std::array<QuirkInfo, 8> kQuirks{{
      "Four passes over arrays, as the source has them, in place of one loop over pixels.", QuirkKind::form},
     {"exclusive", "exclusive", "nobody owns the side",
      "A sample is taken where E < 0, so the samples of a shared side belong to neither triangle.", QuirkKind::other},
+    {"float32", "float_pixels", "pixels in float32",
+     "As published: the set-up is double, all that is done for each pixel float32, as the arrays hold it.",
+     QuirkKind::other},
 }};
-constexpr std::array<VariantInfo, 2> kVariants{{{"as-printed", 0b0111111}, {"corrected", 0}}};
+constexpr std::array<VariantInfo, 3> kVariants{
+    {{"as-printed", 0b0111111}, {"as-published", 0b100011111}, {"corrected", 0}}};
 
 constexpr Method kMethod = run::with_functions<EdgeEquations, kEdgeEquationsFields>({
     .id = "edge-equations",

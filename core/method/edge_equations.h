@@ -15,8 +15,9 @@ namespace texelscope {
 struct EdgeEquationsQuirks {
     bool inclusive = false, one_winding = false, truncate = false, trunc_box = false, wrap_light = false;
     bool corners = false;
-    bool arrays = false;     ///< not a fault: four passes over arrays, as the source has them, in place of one loop
-    bool exclusive = false;  ///< not in the source: the other careless rule
+    bool arrays = false;        ///< not a fault: four passes over arrays, as the source has them, in place of one loop
+    bool exclusive = false;     ///< not in the source: the other careless rule
+    bool float_pixels = false;  ///< as published: everything per pixel in float32 arrays, whatever the set-up's type
 };
 
 template <Real T, Traceable Trace>
@@ -167,7 +168,7 @@ struct EdgeEquations {
         p.y = trace("Y", T(j) + s.half);
         for (int e = 0; e < 3; ++e) {
             const Side& side = s.side[e];
-            p.E[e] = trace(Name::side("E", e), p.x * side.x + p.y * side.y + side.k);
+            p.E[e] = trace(Name::side("E", e), affine(p, side.x, side.y, side.k));
             const Truth inside = trace(Name::side("in", e), p.E[e] < 0 || (p.E[e] == 0 && side.owns));
             if (!inside) {
                 p.fate = trace.fate(outside_edge(e));
@@ -178,9 +179,14 @@ struct EdgeEquations {
         return p;
     }
 
+    /// What a plane, or a side, is at the sample.
+    T affine(const Pixel& p, const T& x, const T& y, const T& k) const {
+        if (!quirk.float_pixels) return p.x * x + p.y * y + k;
+        return single(single(single(p.x * single(x)) + single(p.y * single(y))) + single(k));
+    }
     void address(const Setup& s, Pixel& p) const {
-        p.u = trace("u", p.x * s.u.x + p.y * s.u.y + s.u.k);
-        p.v = trace("v", p.x * s.v.x + p.y * s.v.y + s.v.k);
+        p.u = trace("u", affine(p, s.u.x, s.u.y, s.u.k));
+        p.v = trace("v", affine(p, s.v.x, s.v.y, s.v.k));
         p.texel.column = trace("column", texel_index(p.u, texture.width()));
         p.texel.row = trace("row", texel_index(p.v, texture.height()));
     }

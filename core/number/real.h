@@ -60,6 +60,12 @@ inline constexpr double kIntegerLimit =
     return saturated_integer(std::nearbyint(static_cast<double>(x)));
 }
 
+/// The nearest float32, as an array of float32 keeps it. Only double has digits to lose.
+[[nodiscard]] constexpr double single(double x) noexcept { return static_cast<double>(static_cast<float>(x)); }
+[[nodiscard]] constexpr float single(float x) noexcept { return x; }
+template <class T>
+requires(!std::is_arithmetic_v<T>) [[nodiscard]] const T& single(const T& x) { return x; }
+
 /// `c ? a : b` for values, so that a recorded choice is on the tape. Both are computed: never guard a division.
 template <class V>
 [[nodiscard]] constexpr V choose(bool c, const V& a, const V& b) noexcept {

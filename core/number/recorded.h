@@ -181,6 +181,11 @@ template <class V>
         Op::round_even, [](const V& x) { return round_even(x); }, a);
 }
 template <class V>
+[[nodiscard]] Recorded<V> single(const Recorded<V>& a) {
+    return recorded_detail::apply(
+        Op::single, [](const V& x) { return V(single(x)); }, a);
+}
+template <class V>
 [[nodiscard]] Recorded<V> lesser(const Recorded<V>& a, const Recorded<V>& b) {
     return recorded_detail::apply(
         Op::lesser, [](const V& x, const V& y) { return lesser(x, y); }, a, b);

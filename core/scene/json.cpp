@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -58,7 +59,7 @@ private:
     }
 
     void read_root(const JsonValue& root) {
-        std::optional<JsonValue> framebuffer, textures, polygons, meshes, camera;
+        std::optional<JsonValue> framebuffer, textures, polygons, meshes, camera, random;
         Scene& scene = loaded_.scene;
         read_.object(
             root, "a scene", required("texelscope", [](const JsonValue&) {}),
@@ -71,7 +72,8 @@ private:
             optional("textures", [&](const JsonValue& value) { textures = value; }),
             optional("polygons", [&](const JsonValue& value) { polygons = value; }),
             optional("meshes", [&](const JsonValue& value) { meshes = value; }),
-            optional("camera", [&](const JsonValue& value) { camera = value; }));
+            optional("camera", [&](const JsonValue& value) { camera = value; }),
+            optional("random", [&](const JsonValue& value) { random = value; }));
         if (framebuffer && !read_.failed()) read_framebuffer(*framebuffer);
         if (textures && !read_.failed()) read_textures(*textures);
         if (polygons && !read_.failed()) read_polygons(*polygons);
@@ -79,9 +81,29 @@ private:
                                [this](const JsonValue& v, std::string_view what) { return find_texture(v, what); });
         if (camera && !read_.failed()) scene.camera = mesh_reader.camera(*camera);
         if (meshes && !read_.failed()) scene.meshes = mesh_reader.meshes(*meshes);
+        if (random && !read_.failed()) scene.random = read_random(*random);
         if (read_.failed()) return;
-        if (scene.textures.empty() && !(scene.polygons.empty() && scene.meshes.empty())) add_grey();
+        if (scene.textures.empty() && !(scene.polygons.empty() && scene.meshes.empty() && !scene.random)) add_grey();
         place_meshes(scene);
+        place_random(scene);
+    }
+
+    RandomTriangles read_random(const JsonValue& value) {
+        RandomTriangles r;
+        read_.object(
+            value, "random",
+            required("triangles",
+                     [&](const JsonValue& v) { r.count = read_.whole(v, "triangles", 1, kMaxRandomTriangles); }),
+            optional("size",
+                     [&](const JsonValue& v) {
+                         r.size = read_.number(v, "size");
+                         if (!(r.size > 0) || r.size > kMaxSize)
+                             read_.wrong(v, "size", fmt::format("a number above 0, at most {}", kMaxSize));
+                     }),
+            optional("seed", [&](const JsonValue& v) {
+                r.seed = static_cast<std::uint32_t>(read_.whole(v, "seed", 0, std::numeric_limits<int>::max()));
+            }));
+        return r;
     }
 
     void read_framebuffer(const JsonValue& value) {

@@ -129,7 +129,7 @@ std::string scene_to_json(const Scene& scene) {
     out += " ],\n  \"polygons\": [";
     before = "\n    ";
     for (const Polygon& polygon : scene.polygons) {
-        if (polygon.mesh >= 0) continue;
+        if (polygon.mesh >= 0 || polygon.random) continue;
         out += before;
         write_polygon(polygon, scene, out);
         before = ",\n    ";
@@ -144,6 +144,9 @@ std::string scene_to_json(const Scene& scene) {
     }
     if (!scene.meshes.empty()) out += " ]";
     write_camera(scene.camera, out);
+    if (scene.random)
+        fmt::format_to(Out(out), ",\n  \"random\": {{ \"triangles\": {}, \"size\": {}, \"seed\": {} }}",
+                       scene.random->count, json_number(scene.random->size), scene.random->seed);
     return out + " }\n";
 }
 

@@ -13,6 +13,7 @@
 #include "core/geometry/mesh.h"
 #include "core/geometry/vertex.h"
 #include "core/image/texture.h"
+#include "core/scene/random.h"
 
 namespace texelscope {
 
@@ -69,6 +70,7 @@ struct Scene {
     std::vector<Polygon> polygons;  ///< the scene's own, then those made from `meshes`
     std::vector<MeshPlacement> meshes;
     Camera camera;
+    std::optional<RandomTriangles> random;  ///< triangles of chance, after all other polygons
 };
 
 /// Puts frame `n` modulo their number into the place of each texture that moves.

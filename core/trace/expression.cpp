@@ -79,6 +79,7 @@ const char* symbol_of(Op op) {
         case Op::trunc: return "trunc";
         case Op::ceil: return "ceil";
         case Op::round_even: return "round_even";
+        case Op::single: return "single";
         case Op::less: return "<";
         case Op::less_equal: return "<=";
         case Op::greater: return ">";

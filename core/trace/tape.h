@@ -26,6 +26,7 @@ enum class Op : std::uint8_t {
     trunc,
     ceil,
     round_even,
+    single,  ///< to the nearest float32
     less,
     less_equal,
     greater,

@@ -1,4 +1,4 @@
-"""Closed meshes draw each pixel once: random planar subdivisions, with exact numbers, both corrected methods.
+"""Closed meshes draw each pixel once: random planar subdivisions, with exact numbers, every corrected method but forward.
 
 All corners are multiples of 1/256 pixel, so that what lies inside is decided here in whole numbers.
 """
@@ -120,7 +120,8 @@ def main():
     meshes = [mesh(rng) for _ in range(args.count)]
     scenes = [json.dumps(scene(rng, triangles)) for _, triangles in meshes]
     failed = False
-    for method in ("edge-equations", "sections"):
+    for method in ("edge-equations", "sections", "edge-walk", "barycentric", "backward-affine", "backward-projective",
+                   "constant-z", "two-pass", "subdivided", "sampling-1d"):
         with tempfile.NamedTemporaryFile("w", suffix=".jsonl") as file:
             file.write("\n".join(scenes) + "\n")
             file.flush()

@@ -116,10 +116,11 @@ def main():
     np.seterr(all="ignore")
     ways = [
         ["--method", method, "--variant", variant] + extra
-        for method, extras in (("edge-equations", ([], ["--quirk", "arrays=on"])), ("sections", ([],)))
+        for method, extras in (("edge-equations", ([], ["--quirk", "arrays=on"])), ("sections", ([],)), ("edge-walk", ([],)), ("barycentric", ([],)),
+                               ("backward-projective", ([], ["--quirk", "reciprocal=on"])), ("two-pass", ([],)))
         for variant in ("corrected", "as-printed")
         for extra in extras
-    ]
+    ] + [["--method", "edge-equations", "--variant", "as-published"]]
     expressions = faults = 0
     seen = set()
     for _ in range(args.count):

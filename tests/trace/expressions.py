@@ -1,7 +1,7 @@
 """Parses the expressions that `texelscope trace` prints and evaluates them in a number format.
 
 Grammar and meaning as in C: || && & == != < <= > >= + - * / and unary - !, and the functions floor, trunc, ceil,
-round_even, lesser, greater, choose, modulo (Euclidean). Two integers stay integers; beside a real an integer becomes
+round_even, single (the nearest float32), lesser, greater, choose, modulo (Euclidean). Two integers stay integers; beside a real an integer becomes
 a real; a quotient is a real.
 """
 import math
@@ -13,7 +13,7 @@ TOKEN = re.compile(
 )
 LEVELS = [["||"], ["&&"], ["&"], ["==", "!="], ["<", "<=", ">", ">="], ["+", "-"], ["*", "/"]]
 ROUNDINGS = {"floor": math.floor, "trunc": math.trunc, "ceil": math.ceil, "round_even": round}
-FUNCTIONS = set(ROUNDINGS) | {"lesser", "greater", "choose", "modulo"}
+FUNCTIONS = set(ROUNDINGS) | {"single", "lesser", "greater", "choose", "modulo"}
 
 
 def tokens(text):
@@ -93,6 +93,8 @@ class Evaluator:
         if name in ROUNDINGS:
             a = given[0]
             return a if isinstance(a, int) else self.fmt.to_whole(a, ROUNDINGS[name])
+        if name == "single":
+            return self.fmt.single(self.as_real(given[0]))
         if name == "modulo":
             return given[0] % given[1]
         if name == "choose":

@@ -38,6 +38,9 @@ class Floating:
     def negate(self, a):
         return -a
 
+    def single(self, a):
+        return self.kind(np.float32(a))
+
     def less(self, a, b):
         return bool(a < b)
 
@@ -78,6 +81,9 @@ class Exact:
 
     def negate(self, a):
         return None if a is None else -a
+
+    def single(self, a):
+        return a
 
     def less(self, a, b):
         return a is not None and b is not None and a < b
@@ -138,6 +144,9 @@ class Fixed:
 
     def negate(self, a):
         return self.settle(-a.units)
+
+    def single(self, a):
+        return a
 
     def less(self, a, b):
         return a.units < b.units

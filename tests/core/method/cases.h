@@ -148,6 +148,19 @@ inline constexpr int kFamilies = 7;
     return scene;
 }
 
+/// A triangle of 48 pixels, so far from the origin that float32 has few digits left for its pixels.
+[[nodiscard]] inline Scene far_scene() {
+    Scene scene;
+    scene.framebuffer = {.width = 50, .height = 50, .origin_x = 500000, .origin_y = 500000};
+    scene.textures = {texture_of(256, 256, Wrap::repeat)};
+    Polygon triangle;
+    triangle.vertices = {{.x = 500000.5F, .y = 500000.5F},
+                         {.x = 500048.5F, .y = 500000.5F, .u = 256, .v = 0},
+                         {.x = 500000.5F, .y = 500048.5F, .u = 0, .v = 256}};
+    scene.polygons = {triangle};
+    return scene;
+}
+
 [[nodiscard]] inline std::vector<std::pair<int, Sample>> all_samples(const Drawing& drawing, const Window& window) {
     std::vector<std::pair<int, Sample>> samples;
     each_sample(drawing, 0, drawing.shape_count(), window,

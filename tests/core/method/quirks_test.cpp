@@ -19,6 +19,7 @@ std::vector<Named> scenes() {
     for (unsigned seed = 1; seed <= 40; ++seed)
         all.push_back({"random_scene(" + std::to_string(seed) + ")", laws::random_scene(seed)});
     all.push_back({"a long row in perspective", laws::steep_scene()});
+    all.push_back({"far from the origin", laws::far_scene()});
     return all;
 }
 

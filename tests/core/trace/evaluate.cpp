@@ -16,6 +16,7 @@ constexpr bool kWhole = std::same_as<X, Integer>;
                 if (op == Op::floor) return floor(x);
                 if (op == Op::trunc) return trunc(x);
                 if (op == Op::ceil) return ceil(x);
+                if (op == Op::single) return X(single(x));
                 return round_even(x);
             }
             return false;
@@ -233,6 +234,7 @@ private:
         if (word == "trunc") return {rounded(Op::trunc, real), ""};
         if (word == "ceil") return {rounded(Op::ceil, real), ""};
         if (word == "round_even") return {rounded(Op::round_even, real), ""};
+        if (word == "single") return {rounded(Op::single, real), ""};
         fail("no function " + word);
         return {};
     }
@@ -296,6 +298,7 @@ Value evaluated(const Tape& tape, const Operation& o) {
         case Op::floor:
         case Op::trunc:
         case Op::ceil:
+        case Op::single:
         case Op::round_even: return rounded(o.op, operand(o.a));
         case Op::choose: return std::get<bool>(operand(o.a)) ? operand(o.b) : operand(o.c);
         default: return binary(o.op, operand(o.a), operand(o.b));
