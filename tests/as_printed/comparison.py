@@ -31,8 +31,33 @@ def address_texel(column, row):
     return column & 255, row & 255, 1
 
 
-def scene_of(rng, polygon_vertices, light, size, wrap, width, height):
-    vertices = [dict(zip(("x", "y", "u", "v"), corner)) for corner in polygon_vertices]
+def light_of(rng):
+    return single(rng.choice([1, 1, 0, 0.5, rng.random(), rng.uniform(1, 4), 2, 1000.25]))
+
+
+def whole(x):
+    """Truncated; a number without a value gives 0."""
+    return 0 if np.isnan(x) else int(np.trunc(x))
+
+
+def below(x):
+    """The whole number at or below; a number without a value gives 0."""
+    return 0 if np.isnan(x) else int(np.floor(x))
+
+
+def wrapped(index, size, wrap):
+    if wrap == "clamp":
+        return min(max(index, 0), size - 1)
+    return index & (size - 1) if wrap == "mask" else index % size
+
+
+def lit(texel, light):
+    return [min(255, int(np.trunc(np.float64(channel) * np.float64(light)))) for channel in texel]
+
+
+def scene_of(polygon_vertices, light, size, wrap, width, height):
+    """One polygon; its corners are x, y, u, v and, if they have a depth, w."""
+    vertices = [dict(zip(("x", "y", "u", "v", "w"), corner)) for corner in polygon_vertices]
     return {
         "texelscope": 1,
         "framebuffer": {"width": width, "height": height},
@@ -45,8 +70,14 @@ def row_text(scene, x, y, u, v, column, row, colour, note=""):
     return f"{scene},0,{x},{y},{u:.17g},{v:.17g},{column},{row},{colour[0]},{colour[1]},{colour[2]},{note}"
 
 
-def compare(program, options, scenes, expected):
-    """`expected`: a list of rows for each scene. Returns how many scenes differ, and prints the first ones."""
+def sample_text(scene, x, y, u, v, light, size, wrap):
+    """The row of a sample whose texel is found by floor and wrap mode."""
+    column, row = wrapped(below(u), size[0], wrap), wrapped(below(v), size[1], wrap)
+    return row_text(scene, x, y, u, v, column, row, lit(address_texel(column, row), light))
+
+
+def rows_drawn(program, options, scenes):
+    """What the program prints for each scene."""
     with tempfile.NamedTemporaryFile("w", suffix=".jsonl") as file:
         for scene in scenes:
             file.write(json.dumps(scene) + "\n")
@@ -60,6 +91,14 @@ def compare(program, options, scenes, expected):
     found = [[] for _ in scenes]
     for line in lines[1:]:
         found[int(line[: line.index(",")])].append(line)
+    return found
+
+
+def compare(program, options, scenes, expected):
+    """`expected`: a list of rows for each scene. Returns how many scenes differ, and prints the first ones."""
+    found = rows_drawn(program, options, scenes)
+    # Which sign a NaN gets is left open by IEEE 754, so it is no part of what a method computes.
+    found = [[row.replace("-nan", "nan") for row in rows] for rows in found]
     different = [n for n in range(len(scenes)) if found[n] != expected[n]]
     for n in different[:3]:
         print(f"scene {n} differs: {json.dumps(scenes[n])}")

@@ -3,7 +3,7 @@ import sys
 
 import numpy as np
 
-from comparison import address_texel, arguments, compare, row_text, scene_of, single
+from comparison import address_texel, arguments, compare, light_of, row_text, scene_of, single
 
 WIDTH, HEIGHT = 48, 40
 
@@ -86,10 +86,10 @@ def main():
     scenes, expected = [], []
     for n in range(args.count):
         p = triangle(rng)
-        light = single(rng.choice([1, 1, 0, 0.5, rng.random(), rng.uniform(1, 4), 2, 1000.25]))
+        light = light_of(rng)
         size = rng.choice([(32, 64), (64, 64), (256, 16), (1, 8), (512, 256)])
         wrap = rng.choice(["repeat", "mask"])
-        scenes.append(scene_of(rng, p, light, size, wrap, WIDTH, HEIGHT))
+        scenes.append(scene_of(p, light, size, wrap, WIDTH, HEIGHT))
         expected.append(draw(n, p, light, size))
     return compare(args.texelscope, ["--method", "edge-equations", "--variant", "as-printed"], scenes, expected) > 0
 

@@ -7,15 +7,10 @@ import sys
 
 import numpy as np
 
-from comparison import address_texel, arguments, compare, row_text, scene_of, single
+from comparison import address_texel, arguments, compare, light_of, lit, row_text, scene_of, whole
 from edge_equations import triangle
 
 WIDTH, HEIGHT = 48, 40
-
-
-def whole(x):
-    """Truncation; a number without a value gives 0."""
-    return 0 if np.isnan(x) else int(np.trunc(x))
 
 
 def middle(p):
@@ -55,8 +50,7 @@ def half(scene, long, short, rows, size, light, out):
             u, v = left[1] + du * ahead, left[2] + dv * ahead
             for x in range(first, last):
                 column, row = whole(v) & (size[0] - 1), whole(u) & (size[1] - 1)
-                colour = [min(255, int(np.trunc(np.float64(c) * np.float64(light)))) for c in address_texel(column, row)]
-                out.append(row_text(scene, x, y, u, v, column, row, colour))
+                out.append(row_text(scene, x, y, u, v, column, row, lit(address_texel(column, row), light)))
                 u, v = u + du, v + dv
         a.advance()
         b.advance()
@@ -86,9 +80,9 @@ def main():
     np.seterr(all="ignore")  # 0/0 at the apex is what the source does
     for n in range(args.count):
         p = triangle(rng)
-        light = single(rng.choice([1, 1, 0, 0.5, rng.random(), rng.uniform(1, 4), 2, 1000.25]))
+        light = light_of(rng)
         size = rng.choice([(64, 64), (64, 64), (32, 32), (128, 16)])
-        scenes.append(scene_of(rng, p, light, size, rng.choice(["repeat", "mask"]), WIDTH, HEIGHT))
+        scenes.append(scene_of(p, light, size, rng.choice(["repeat", "mask"]), WIDTH, HEIGHT))
         expected.append(draw(n, p, light, size))
     return compare(args.texelscope, ["--method", "edge-walk", "--variant", "as-printed"], scenes, expected) > 0
 

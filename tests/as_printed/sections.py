@@ -8,7 +8,7 @@ import sys
 
 import numpy as np
 
-from comparison import address_texel, arguments, compare, row_text, scene_of, single
+from comparison import address_texel, arguments, compare, light_of, lit, row_text, scene_of, single, wrapped
 
 WIDTH, HEIGHT = 48, 40
 
@@ -105,15 +105,9 @@ def draw(scene, corners, light, size, wrap):
             if not (0 <= x < WIDTH and 0 <= y < HEIGHT):
                 continue
             column, row = wrapped(int(np.trunc(u)), size[0], wrap), wrapped(int(np.trunc(v)), size[1], wrap)
-            colour = [min(255, int(np.trunc(np.float64(c) * np.float64(light)))) for c in address_texel(column, row)]
+            colour = lit(address_texel(column, row), light)
             out.append(row_text(scene, x, y, u, v, column, row, colour, "ghost" if n in stale else ""))
     return out
-
-
-def wrapped(index, size, wrap):
-    if wrap == "clamp":
-        return min(max(index, 0), size - 1)
-    return index & (size - 1) if wrap == "mask" else index % size
 
 
 def main():
@@ -121,10 +115,10 @@ def main():
     scenes, expected = [], []
     for n in range(args.count):
         corners = polygon(rng)
-        light = single(rng.choice([1, 1, 0, 0.5, rng.random(), rng.uniform(1, 4), 2, 1000.25]))
+        light = light_of(rng)
         wrap = rng.choice(["repeat", "mask", "clamp"])
         size = rng.choice([(32, 64), (64, 64), (256, 16)] + [(48, 10), (7, 300)] * (wrap != "mask"))
-        scenes.append(scene_of(rng, corners, light, size, wrap, WIDTH, HEIGHT))
+        scenes.append(scene_of(corners, light, size, wrap, WIDTH, HEIGHT))
         expected.append(draw(n, corners, light, size, wrap))
     ghosts = sum(row.endswith(",ghost") for rows in expected for row in rows)
     print(f"{ghosts} ghost pixels")
