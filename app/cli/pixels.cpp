@@ -1,4 +1,5 @@
 // texelscope pixels SCENE: one CSV row for every sample drawn, in drawing order.
+#include <cmath>
 #include <iterator>
 #include <memory>
 #include <string>
@@ -33,7 +34,9 @@ public:
         if (s.fate != Fate::written) return;
         auto at = std::back_inserter(block_);
         if (numbered_) fmt::format_to(at, FMT_COMPILE("{},"), scene);
-        fmt::format_to(at, FMT_COMPILE("{},{},{},{:.17g},{:.17g},{},{},{},{},{},{}\n"), polygon, s.x, s.y, s.u, s.v,
+        // The sign of a NaN is nobody's: processors differ in it.
+        const double u = std::isnan(s.u) ? std::abs(s.u) : s.u, v = std::isnan(s.v) ? std::abs(s.v) : s.v;
+        fmt::format_to(at, FMT_COMPILE("{},{},{},{:.17g},{:.17g},{},{},{},{},{},{}\n"), polygon, s.x, s.y, u, v,
                        s.column, s.row, s.colour.r, s.colour.g, s.colour.b, text_of(s.note));
         if (block_.size() >= kBlock) flush();
     }

@@ -1,4 +1,4 @@
-// The texture drives: every texel writes the pixel that it falls on, so that magnifying leaves holes and shrinking
+// The texture drives: every texel writes the pixel that its middle falls on. So magnifying leaves holes, and shrinking
 // writes pixels again and again (S5: N. Holzschuch, "Textures: un peu de maths").
 #pragma once
 

@@ -86,14 +86,19 @@ struct TwoPass {
         trace.stage("pass 1");
         for (const Int v : trace.fill('v', tmp.v0, tmp.v1)) {
             for (const Int x : trace.fill('x', tmp.x0, tmp.x1)) {
+                if (lost(map, x)) continue;
                 const T u = trace("u", u_at(map, T(x) + T(1) / 2, T(v) + T(1) / 2));
-                if (plain(u == u)) tmp.at(plain(x), plain(v)) = plain(floor(u));
+                tmp.at(plain(x), plain(v)) = plain(floor(u));
             }
         }
     }
     /// (m_11 u + m_12 v + m_13) / (m_31 u + m_32 v + m_33) = x, solved for u.
     T u_at(const Matrix3<T>& map, const T& x, const T& v) const {
         return ((map[2][1] * v + map[2][2]) * x - map[0][1] * v - map[0][2]) / (map[0][0] - map[2][0] * x);
+    }
+    /// The column runs along one row of the texture, as all do after a quarter turn: no u is better than another.
+    bool lost(const Matrix3<T>& map, const Int& x) const {
+        return plain(map[0][0] - map[2][0] * (T(x) + T(1) / 2) == 0);
     }
     void second_pass(const Face<T>& face, const Matrix3<T>& inverse, const Buffer& tmp, auto&& put) const {
         trace.stage("pass 2");

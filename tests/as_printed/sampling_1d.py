@@ -50,7 +50,7 @@ def draw(scene, corners, light, size, wrap):
     left, right = min(ring, key=lambda c: c[0]), max(ring, key=lambda c: c[0])
     top, bottom = min(ring, key=lambda c: c[1]), max(ring, key=lambda c: c[1])
     ratio = np.rint((right[2] - left[2]) / (right[0] - left[0]) * 100) / 100
-    start = left[2] + (ratio if ratio < 1 else 0)
+    start = left[2] + (ratio if abs(ratio) < 1 else 0)
     v_ratio = (bottom[3] - top[3]) / (bottom[1] - top[1])
     begin = extent([left[0]]).start
     out = []

@@ -31,6 +31,17 @@ def kept(rows, what):
     return sorted(fields if what == TEXELS else (f[:2] for f in fields))
 
 
+def without_lost_columns(rows, two_pass):
+    """Where a column of the picture runs along one row of the texture, the first pass has nothing to tell its pixels
+    apart by: two passes lose it. All its samples have the same v then."""
+    columns = {}
+    for row in rows:
+        columns.setdefault(row.split(",")[2], []).append(row)
+    left = {row.split(",")[2] for row in two_pass}
+    return [row for x, column in columns.items() for row in column
+            if x in left or len({r.split(",")[5] for r in column}) > 1]
+
+
 def report(what, shape, scenes, methods, drawn):
     """Prints one line, and the first differences. Returns how many scenes differ."""
     bad = [n for n in range(len(scenes)) if drawn[0][n] != drawn[1][n]]
@@ -54,10 +65,13 @@ def main():
     for what, shape, methods in EQUALITIES:
         size, wrap = rng.choice([(32, 16), (64, 64), (24, 10)]), rng.choice(["repeat", "clamp"])
         scenes = [scene_of(shape(rng), 1, size, wrap, WIDTH, HEIGHT) for _ in range(args.count)]
-        drawn = []
+        rows = []
         for method in methods:
             options = ["--method", method, "--variant", "corrected", "--number", "exact"]
-            drawn.append([kept(rows, what) for rows in rows_drawn(args.texelscope, options, scenes)])
+            rows.append(rows_drawn(args.texelscope, options, scenes))
+        if methods[-1] == "two-pass":
+            rows[0] = [without_lost_columns(a, b) for a, b in zip(*rows)]
+        drawn = [[kept(scene, what) for scene in of_method] for of_method in rows]
         for n in range(1, len(methods)):
             pair = [methods[0], methods[n]], [drawn[0], drawn[n]]
             differing += report(what, shape.__name__, scenes, *pair)
