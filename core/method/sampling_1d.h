@@ -80,7 +80,7 @@ struct Sampling1d {
     }
     /// How far into the source the first pixel reaches [texels].
     T start_of(const Setup& s) const {
-        if (quirk.uneven_start) return plain(s.ratio < 1 && -1 < s.ratio) ? s.ratio : T(0);  // Q1
+        if (quirk.uneven_start) return plain(s.ratio < 1 && -s.ratio < 1) ? s.ratio : T(0);  // Q1
         if (quirk.start_zero) return T(0);
         if (quirk.start_ratio) return s.ratio;
         return (T(s.begin) + T(1) / 2 - s.left) * s.ratio;
