@@ -2,6 +2,7 @@
 // for and kept while what it depends on stays the same; views read it and compute nothing themselves.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -86,6 +87,31 @@ struct ErrorMap {
     double v_most = 0;                ///< greatest |v| of all cells [texels]
 };
 
+/// Why two methods read different texels for a pixel. The first that fits is the cause.
+enum class Cause : std::uint8_t {
+    nothing,   ///< neither draws it
+    same,      ///< both read the same texel
+    coverage,  ///< only one of them draws it
+    rounding,  ///< (u, v) are less than kRounding apart, on two sides of a texel's border
+    offset,    ///< (u, v) are as far apart as in all pixels of the polygon
+    warp,      ///< the distance changes from pixel to pixel: another plane, or perspective against affine
+};
+inline constexpr std::size_t kCauses = 6;
+inline constexpr double kRounding = 1e-6;  ///< [texels]
+
+struct DifferenceCell {
+    Cause cause = Cause::nothing;
+    Rgb own{}, others{};  ///< the two pictures
+    double u = 0, v = 0;  ///< (u, v) of the state's method minus the other's [texels]; where both draw it
+};
+/// The pictures of two methods over one scene, each pixel as its last write left it.
+struct Difference {
+    Window window;
+    const Method* other = nullptr;
+    Grid<DifferenceCell> cells;
+    std::array<int, kCauses> count{};  ///< cells of each cause
+};
+
 /// Operations on numbers with a fraction.
 struct OperationCount {
     Integer additions = 0, multiplications = 0, divisions = 0;  ///< subtractions are additions
@@ -152,6 +178,8 @@ public:
     /// How often the whole drawing writes each cell of the window, up to 255.
     [[nodiscard]] const Grid<std::uint8_t>& hits(const Window& window) const;
     [[nodiscard]] const ErrorMap& errors(const Window& window) const;
+    /// Against another method, corrected, with the same numbers.
+    [[nodiscard]] const Difference& difference(const Window& window, const Method& other) const;
     /// The methods that take the texture's plane as one matrix, and the state's own, over the cursor's polygon.
     [[nodiscard]] const std::vector<MethodCost>& costs() const;
     [[nodiscard]] std::vector<Lane> lanes() const;                 ///< T, G, S, P, E in this order, always five

@@ -35,6 +35,7 @@ struct Derived::Cache {
         };
         std::optional<Hits> hits;
         std::optional<ErrorMap> errors;
+        std::optional<Difference> difference;
         std::map<std::pair<int, Integer>, std::vector<TickKind>> rows;  ///< of a shape's stage
     };
     /// Holds as long as the cursor stays.

@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kCompared{"backward-affine", "backward-projective", "constant-z"};
 
+constexpr Integer kMostCounted = 1 << 18;  ///< samples that a face may visit: more would hold up the step
+
 [[nodiscard]] bool has_fraction(const Value& value) {
     return !std::holds_alternative<bool>(value) && !std::holds_alternative<Integer>(value);
 }
@@ -96,6 +98,8 @@ const std::vector<MethodCost>& Derived::costs() const {
     if (costs) return *costs;
     costs.emplace();
     if (shape() < 0) return *costs;
+    const Rect reach = drawing().reach(shape());
+    if (Integer{reach.width()} * reach.height() > kMostCounted) return *costs;
     const int polygon = drawing().polygon_of(shape());
     const auto add = [&](const Drawing& other, int n, bool current) {
         auto cost = cost_of(other, n, pixel());

@@ -164,6 +164,11 @@ private:
             for (const glm::vec2 way : {glm::vec2(1, 0), {-1, 0}, {0, 1}, {0, -1}})
                 ui::line(ui_.list(), at + way * near, at + way * far, width, color);
         }
+        const std::string value = decimals(errors_->error.length());
+        const float wide = ui::text_width(ui_.font(ui::Face::code), value) + ui_.px(24), gap = ui_.px(4);
+        const float right = at.x + far + gap, left = at.x - far - gap - wide;
+        const float x = right + wide <= map_.area.right() ? right : left;
+        if (x >= map_.area.x && at.y - ui_.px(16) >= map_.area.y) ui::badge(ui_, ui::Face::code, {x, at.y}, value);
     }
 
     /// The scale with its two ends, then the worst place in words.

@@ -14,7 +14,7 @@ namespace texelscope {
 namespace {
 
 constexpr std::string_view kTitle = "Operations, counted as they ran", kTab = "Operations";
-constexpr std::string_view kNothing = "The shape draws no pixel, so there is nothing to count.";
+constexpr std::string_view kNothing = "Nothing is counted here: the shape draws no pixel, or too many.";
 constexpr std::string_view kPixel = "a pixel", kRow = "its row", kWhole = "the face";
 constexpr std::string_view kTip =
     "{}: {} for a pixel; {} before a line's {} pixels; {} before all {} lines. Reading the texel is not counted.";
