@@ -21,7 +21,7 @@ namespace texelscope::answers {
 
 // Faces in perspective (answers_perspective.cpp).
 [[nodiscard]] Accepted row_of_v(const Asked& asked);
-[[nodiscard]] Accepted zero_coefficient(const Asked& asked);
+[[nodiscard]] Accepted zero_in_denominator(const Asked& asked);
 
 // Triangles by edge equations (answers_triangle.cpp).
 [[nodiscard]] Accepted fate(const Asked& asked);

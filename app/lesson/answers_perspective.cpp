@@ -11,21 +11,21 @@
 namespace texelscope::answers {
 namespace {
 
-constexpr std::string_view kNames = "abcdefghi";
-constexpr int kNone = 9;        ///< the option behind the nine coefficients
+constexpr std::array<std::string_view, 3> kNames{"g", "h", "i"};
+constexpr int kNone = 3;        ///< the option behind the three coefficients
 constexpr double kSame = 1e-9;  ///< values of v so near are one [texels]
 
-/// Whether a coefficient is 0 in exact numbers, of the shape's polygon drawn through one matrix; nothing without one.
-[[nodiscard]] std::optional<std::array<bool, 9>> exact_zeros(const Asked& asked) {
+/// Which of g, h and i are 0 in exact numbers, for the shape's polygon drawn through one matrix; nothing without one.
+[[nodiscard]] std::optional<std::array<bool, 3>> exact_zeros(const Asked& asked) {
     if (asked.shape() < 0) return std::nullopt;
     const Method* method = find_method("backward-projective");
     const Drawing exact(asked.drawing.scene(), {method, NumberFormat::exact, 0, {}});
-    const int shape = exact.first_shape_of(asked.drawing.polygon_of(asked.shape()));
+    const int polygon = asked.drawing.polygon_of(asked.shape()), shape = exact.first_shape_of(polygon);
     if (shape >= exact.shape_count()) return std::nullopt;
     const Visit setup = visit(exact, Path{{{'t', shape}}});
-    std::array<bool, 9> zeros{};
+    std::array<bool, 3> zeros{};
     for (std::size_t n = 0; n < zeros.size(); ++n) {
-        const auto value = value_named(setup, kNames.substr(n, 1));
+        const auto value = value_named(setup, kNames[n]);
         if (!value || undefined(*value)) return std::nullopt;
         zeros[n] = std::get<Exact>(*value) == Exact(Integer{0});
     }
@@ -65,25 +65,22 @@ Accepted row_of_v(const Asked& asked) {
     return a;
 }
 
-Accepted zero_coefficient(const Asked& asked) {
-    constexpr std::array<std::string_view, 3> kOf{"u", "v", "W"};
+Accepted zero_in_denominator(const Asked& asked) {
+    constexpr std::array<std::string_view, 3> kSays{"$g = 0$: $W$ stays the same along a row.",
+                                                    "$h = 0$: $W$ stays the same down a column.",
+                                                    "$i = 0$: $W$ is 0 at the screen's corner."};
     Accepted a{.options = {kNone}, .step = asked.step, .sentence = "The face has no matrix."};
     const auto zeros = exact_zeros(asked);
-    const auto row = static_cast<std::size_t>(std::clamp(asked.whole(0), 0, 2));
     if (!zeros) return a;
-    a.sentence =
-        fmt::format("None of ${}$, ${}$, ${}$ is 0 here.", kNames[3 * row], kNames[3 * row + 1], kNames[3 * row + 2]);
+    a.sentence = "None of $g$, $h$, $i$ is 0 here.";
     std::vector<int> found;
-    for (std::size_t n = 3 * row; n < 3 * row + 3; ++n)
-        if ((*zeros)[n]) found.push_back(static_cast<int>(n));
-    const std::string_view name = kNames.substr(found.empty() ? 3 * row : static_cast<std::size_t>(found.front()), 1);
-    if (const auto step = expression_step(asked.steps, asked.shape(), name)) a.step = *step;
+    for (int n = 0; n < kNone; ++n)
+        if ((*zeros)[static_cast<std::size_t>(n)]) found.push_back(n);
+    const auto first = static_cast<std::size_t>(found.empty() ? 0 : found.front());
+    if (const auto step = expression_step(asked.steps, asked.shape(), kNames[first])) a.step = *step;
     if (found.empty()) return a;
     a.options = found;
-    const int term = found.front() % 3;
-    a.sentence = term == 0   ? fmt::format("${} = 0$: ${}$ stays the same along a row.", name, kOf[row])
-                 : term == 1 ? fmt::format("${} = 0$: ${}$ stays the same down a column.", name, kOf[row])
-                             : fmt::format("${} = 0$: ${}$ is 0 at the screen's corner.", name, kOf[row]);
+    a.sentence = kSays[first];
     return a;
 }
 

@@ -132,7 +132,7 @@ struct MethodCost {
     bool current = false;               ///< the state's own, with its quirks; others run corrected
     bool columns = false;               ///< its lines of samples are columns
     OperationCount pixel, line, setup;  ///< of one pixel; of one line without its pixels; before all lines
-    Integer line_pixels = 0;            ///< in the cursor's line, or the first
+    Integer line_pixels = 0;            ///< in the cursor's line, or one in the middle
     Integer lines = 0, pixels = 0;      ///< of the polygon
 
     [[nodiscard]] OperationCount whole_line() const { return line + line_pixels * pixel; }

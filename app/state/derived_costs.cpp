@@ -47,7 +47,7 @@ constexpr Integer kMostCounted = 1 << 18;  ///< samples that a face may visit: m
 struct Extent {
     std::set<Integer> lines;
     Integer pixels = 0, line_pixels = 0;
-    std::optional<Sample> first, in_line;
+    std::optional<Sample> in_line;  ///< the cursor's, else one in the middle
 };
 [[nodiscard]] Extent extent_of(const Drawing& drawing, int shape, bool columns, std::optional<glm::ivec2> pixel) {
     Extent extent;
@@ -58,11 +58,10 @@ struct Extent {
     });
     for (const Sample& s : all) {
         extent.lines.insert(line_of(s));
-        if (!extent.first) extent.first = s;
         if (pixel && s.x == pixel->x && s.y == pixel->y) extent.in_line = s;
     }
     extent.pixels = static_cast<Integer>(all.size());
-    if (!extent.in_line) extent.in_line = extent.first;
+    if (!extent.in_line && !all.empty()) extent.in_line = all[all.size() / 2];
     if (extent.in_line) {
         const Integer line = line_of(*extent.in_line);
         extent.line_pixels = std::count_if(all.begin(), all.end(), [&](const Sample& s) { return line_of(s) == line; });

@@ -74,19 +74,30 @@ class DifferenceView {
 public:
     DifferenceView(const ViewContext& ctx, const ui::Area& area) : ctx_(ctx), ui_(ctx.ui), area_(area) {}
 
+    /// Where there is no room for the pictures above their legend, all can be scrolled.
+    void draw_scrolled() {
+        const float content = std::max(area_.h, bar_height() + legend_height() + 3 * line() + ui_.px(72));
+        foresee(ui_, "difference/scroll", content);
+        const ui::Area inner = ui_.begin_scroll("difference/scroll", area_);
+        area_ = {inner.x, inner.y, inner.w, content};
+        draw();
+        ui_.end_scroll(content);
+    }
+
+private:
     void draw() {
         const std::vector<const Method*> all = others(ctx_.derived);
         auto at = std::find_if(all.begin(), all.end(), [&](const Method* m) { return m->id == ctx_.state.look.other; });
         if (at == all.end()) at = all.begin();
-        const float bar = std::max(ui_.px(28), pitch(ui_, 24, ui::Face::title));
+        const float bar = bar_height();
         draw_choice({area_.x, area_.y, area_.w, bar}, all, at - all.begin());
-        const float legend = std::min(legend_height(), area_.h / 2);
+        const float legend = legend_height();
         const ui::Area pictures{area_.x, area_.y + bar, area_.w, std::max(1.0F, area_.h - bar - legend)};
         draw_pictures(pictures, **at);
         draw_legend({area_.x, pictures.bottom(), area_.w, legend});
     }
 
-private:
+    [[nodiscard]] float bar_height() const { return std::max(ui_.px(28), pitch(ui_, 24, ui::Face::title)); }
     [[nodiscard]] float line() const { return pitch(ui_, 18, ui::Face::title); }
     [[nodiscard]] float legend_width() const {
         float widest = 0;
@@ -251,7 +262,7 @@ void draw(const ViewContext& context, const ui::Area& place) {
     if (context.derived.shape() < 0)
         draw_empty(context, area, kNothing);
     else
-        DifferenceView(context, area).draw();
+        DifferenceView(context, area).draw_scrolled();
     context.ui.end_panel();
 }
 

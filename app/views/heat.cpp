@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include "app/ui/ramp.h"
 #include "app/ui/text.h"
@@ -50,9 +51,8 @@ public:
     HeatView(const ViewContext& ctx, const ui::Area& area)
         : ctx_(ctx), ui_(ctx.ui), line_(pitch(ctx.ui, 18, ui::Face::title)), area_(area) {
         const Framebuffer& frame = ctx.derived.scene().framebuffer;
-        const float legend = std::min(2 * line_ + ui_.px(6), area.h / 2);
+        const float legend = 2 * line_ + ui_.px(6);
         map_ = make_map({area.x, area.y, area.w, std::max(1.0F, area.h - legend)}, frame, Look{});
-        // As near to the legend as it goes: the picture and what is said of it belong together.
         errors_ = &ctx.derived.errors(window_in_view(map_, frame));
         end_ = scale_end(errors_->worst ? errors_->error.length() : 0);
     }
@@ -109,7 +109,9 @@ private:
                 const auto at = [&](const Vertex& v) {
                     return glm::vec2(glm::clamp(glm::dvec2(map_.to_window({v.x, v.y})), -1e4, 1e4));
                 };
-                ui::line(ui_.list(), at(a), at(b), 1, ui::with_alpha(ui_.theme()[Role::text], .55F));
+                // In two tones, so that it shows on every colour of the ramp and beside it.
+                ui::line(ui_.list(), at(a), at(b), 2.5F, ui::with_alpha(ui::hex(0x000000), .5F));
+                ui::line(ui_.list(), at(a), at(b), 1, ui::with_alpha(ui::hex(0xFFFFFF), .75F));
             }
         }
         ui_.end_clip();
@@ -222,12 +224,22 @@ private:
     double end_ = 1;
 };
 
+/// Where there is no room for the picture above its legend, the two can be scrolled.
+void draw_scrolled(const ViewContext& context, const ui::Area& area) {
+    const float least = 2 * pitch(context.ui, 18, ui::Face::title) + context.ui.px(76);
+    const float content = std::max(area.h, least);
+    foresee(context.ui, "heat/scroll", content);
+    const ui::Area inner = context.ui.begin_scroll("heat/scroll", area);
+    HeatView(context, {inner.x, inner.y, inner.w, content}).draw();
+    context.ui.end_scroll(content);
+}
+
 void draw(const ViewContext& context, const ui::Area& place) {
     const ui::Area area = begin_view(context, "heat", place, kTitle, kNote);
     if (context.derived.shape() < 0)
         draw_empty(context, area, kNothing);
     else
-        HeatView(context, area).draw();
+        draw_scrolled(context, area);
     context.ui.end_panel();
 }
 

@@ -43,14 +43,28 @@ public:
         const ui::Area inner = ui_.begin_scroll("matrix/scroll", area_);
         float y = inner.y + gap;
         for (std::size_t n = 0; n < lines.size(); ++n) {
-            draw_terms(context_, fmt::format("matrix/{}", n), tape_, lines[n],
-                       {inner.x + ui_.px(4), y + lines[n].ascent});
+            const glm::vec2 pen{inner.x + ui_.px(4), y + lines[n].ascent};
+            draw_marks(lines[n], pen);
+            draw_terms(context_, fmt::format("matrix/{}", n), tape_, lines[n], pen);
             y += lines[n].height() + gap;
         }
         ui_.end_scroll(content);
     }
 
 private:
+    [[nodiscard]] bool lit(std::int32_t named) const {
+        return std::find(lit_.begin(), lit_.end(), named) != lit_.end();
+    }
+    /// Lies under the terms and takes no room, so that stepping moves nothing.
+    void draw_marks(const ui::MathBox& box, glm::vec2 pen) {
+        const ui::Color now = ui_.theme()[ui::Role::now];
+        for (const ui::MathLink& link : box.links) {
+            if (!lit(named_of(link.id))) continue;
+            const ui::Area at = link.area.moved(std::round(pen.x), std::round(pen.y)).inset(-ui_.px(3), -ui_.px(1));
+            ui::fill(ui_.list(), at, ui::with_alpha(now, ui::alpha::kMark), ui::size::kBadgeRadius);
+            ui::fill(ui_.list(), {at.x, std::round(at.bottom()) - 1, at.w, 2}, now);
+        }
+    }
     [[nodiscard]] std::int32_t last(std::string_view name) const {
         return find_name(tape_, name, static_cast<std::int32_t>(tape_.names.size()) - 1);
     }
@@ -65,8 +79,8 @@ private:
             e = undefined(value) ? value_term(value) : ui::number(shown_number(value, decimals), role);
             e.negative = false;  // a cell needs no parentheses
         }
-        e = ui::linked(std::move(e), link_of(named));
-        return std::find(lit_.begin(), lit_.end(), named) != lit_.end() ? ui::marked(std::move(e)) : e;
+        if (lit(named)) e.role = ui::Role::text;  // a role's colour is too weak on the mark
+        return ui::linked(std::move(e), link_of(named));
     }
     [[nodiscard]] ui::Expr matrix(const Names& names, bool numbers, int decimals = 4) const {
         std::vector<ui::Expr> cells;
@@ -107,40 +121,43 @@ private:
         for (std::size_t n = 0; n < 9; ++n) names[n] = fmt::format("A_{}{}", n % 3 + 1, n / 3 + 1);
         return names;
     }
-    [[nodiscard]] ui::Expr chained(bool numbers, int decimals) const {
-        return ui::product({matrix(texture(), numbers, decimals),
-                            ui::quotient(ui::number(1), term("det", numbers, decimals)),
-                            matrix(cofactors(), numbers, decimals)});
+    /// M⁻¹ = U · 1/det · A.
+    [[nodiscard]] ui::Expr chain(bool numbers, int decimals) const {
+        return ui::relation_chain(
+            {matrix(inverse(), numbers, decimals), matrix(texture(), numbers, decimals),
+             ui::quotient(ui::number(1), term("det", numbers, decimals)), matrix(cofactors(), numbers, decimals)},
+            {"=", "·", "·"});
+    }
+    [[nodiscard]] ui::Expr beside(const Names& names, int decimals) const {
+        return ui::relation(matrix(names, false, decimals), "=", matrix(names, true, decimals));
     }
 
-    /// Three lines: names, numbers, and P; or each matrix beside its own numbers, where the panel is narrow.
-    [[nodiscard]] std::vector<ui::Expr> wide(int decimals) const {
-        return {ui::relation(matrix(inverse(), false), "=", chained(false, decimals)),
-                ui::relation(matrix(inverse(), true, decimals), "=", chained(true, decimals)),
-                ui::relation(ui::symbol("P"), "=",
-                             ui::relation(matrix(screen(), false), "=", matrix(screen(), true, decimals)))};
-    }
-    [[nodiscard]] std::vector<ui::Expr> narrow(int decimals) const {
-        const auto beside = [&](const Names& names) {
-            return ui::relation(matrix(names, false), "=", matrix(names, true, decimals));
-        };
-        return {beside(inverse()), beside(texture()), beside(cofactors()),
-                ui::relation(term("det", false, decimals), "=", term("det", true, decimals)), beside(screen())};
+    /// The chain in names, then in numbers, with P where there is room; or each matrix beside its own numbers.
+    enum class Lines { with_p, chain, narrow };
+    [[nodiscard]] std::vector<ui::Expr> lines_of(Lines lines, int decimals) const {
+        if (lines == Lines::narrow)
+            return {beside(inverse(), decimals), beside(texture(), decimals), beside(cofactors(), decimals),
+                    ui::relation(term("det", false, decimals), "=", term("det", true, decimals)),
+                    beside(screen(), decimals)};
+        ui::Expr p = ui::relation(ui::symbol("P"), "=", matrix(screen(), false, decimals));
+        if (lines == Lines::chain) return {ui::sequence({chain(false, decimals), p}), chain(true, decimals)};
+        return {chain(false, decimals), chain(true, decimals),
+                ui::relation(ui::symbol("P"), "=", beside(screen(), decimals))};
     }
 
     [[nodiscard]] std::vector<ui::MathBox> fitted() const {
         std::vector<ui::MathBox> boxes;
-        for (const bool is_wide : {true, false}) {
+        for (const Lines lines : {Lines::with_p, Lines::chain, Lines::narrow}) {
             for (const int decimals : {4, 2}) {
                 for (const ui::MathSize size : kSizes) {
                     boxes.clear();
-                    float width = 0, height = 0;
-                    for (const ui::Expr& e : is_wide ? wide(decimals) : narrow(decimals)) {
+                    float width = 0, height = ui_.px(5);
+                    for (const ui::Expr& e : lines_of(lines, decimals)) {
                         boxes.push_back(ui::set_math(e, {.fonts = &ui_.fonts(), .size = size}));
                         width = std::max(width, boxes.back().width), height += boxes.back().height() + ui_.px(5);
                     }
-                    const bool smallest = size == kSizes.back();
-                    if (width <= area_.w - ui_.px(16) && (height <= area_.h || smallest)) return boxes;
+                    const bool scrolls = lines == Lines::narrow && size == kSizes.back();
+                    if (width <= area_.w - ui_.px(16) && (height <= area_.h || scrolls)) return boxes;
                 }
             }
         }

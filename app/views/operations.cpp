@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::string_view kTitle = "Operations, counted as they ran", kTab = "Operations";
 constexpr std::string_view kNothing = "Nothing is counted here: the shape draws no pixel, or too many.";
+constexpr std::string_view kByRows = "{}", kByColumns = "{}, by columns";
 constexpr std::string_view kPixel = "a pixel", kRow = "its row", kWhole = "the face";
 constexpr std::string_view kTip =
     "{}: {} for a pixel; {} before a line's {} pixels; {} before all {} lines. Reading the texel is not counted.";
@@ -26,6 +27,9 @@ constexpr std::array<std::string_view, 3> kGroups{kPixel, kRow, kWhole};
 }
 [[nodiscard]] std::string in_words(const OperationCount& n) {
     return fmt::format("{} + {} × {} ÷", n.additions, n.multiplications, n.divisions);
+}
+[[nodiscard]] std::string name_of(const MethodCost& cost) {
+    return fmt::format(fmt::runtime(cost.columns ? kByColumns : kByRows), cost.method->title);
 }
 [[nodiscard]] OperationCount of_group(const MethodCost& cost, std::size_t group) {
     return group == 0 ? cost.pixel : group == 1 ? cost.whole_line() : cost.whole();
@@ -54,7 +58,7 @@ public:
             cell_[group] = ui::text_width(font, std::string(digits, '0')) + ui_.px(14);
         }
         for (const MethodCost& cost : costs_)
-            name_ = std::max(name_, ui::text_width(ui_.font(ui::Face::title), cost.method->title));
+            name_ = std::max(name_, ui::text_width(ui_.font(ui::Face::title), name_of(cost)));
         name_ += ui_.px(20);
     }
 
@@ -118,7 +122,7 @@ private:
         if (control.hovered) ui::frame(ui_.list(), row, ui_.theme()[ui::Role::now], 1, ui::size::kRadius);
         ui_.text_within(ui::Face::title,
                         {row.x + ui_.px(8), ui::baseline_at_middle(ui_.font(ui::Face::title), row.centre().y)},
-                        name_ - ui_.px(12), cost.current ? ui::Role::text : ui::Role::muted, cost.method->title);
+                        name_ - ui_.px(12), cost.current ? ui::Role::text : ui::Role::muted, name_of(cost));
     }
 
     ui::Ui& ui_;
