@@ -19,6 +19,7 @@ PICTURES = {
     "textures/letters.png": cards.letters,
     "textures/uv-card.png": cards.uv_card,
     "textures/gradient-1d.png": cards.gradient_1d,
+    "textures/checker-8.png": cards.checker_8,
     "textures/world.png": world.world,
     "textures/banner-1.png": banners.texel,
     "textures/banner-2.png": banners.pixel,

@@ -19,6 +19,10 @@ namespace texelscope::answers {
 [[nodiscard]] Accepted row_pixels(const Asked& asked);
 [[nodiscard]] Accepted guilty_line(const Asked& asked);
 
+// Faces in perspective (answers_perspective.cpp).
+[[nodiscard]] Accepted row_of_v(const Asked& asked);
+[[nodiscard]] Accepted zero_in_denominator(const Asked& asked);
+
 // Triangles by edge equations (answers_triangle.cpp).
 [[nodiscard]] Accepted fate(const Asked& asked);
 [[nodiscard]] Accepted box_samples(const Asked& asked);

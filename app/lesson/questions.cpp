@@ -18,7 +18,7 @@ namespace {
 
 using Kind = Prediction::Kind;
 
-constexpr std::array<Question, 17> kQuestions{{
+constexpr std::array<Question, 19> kQuestions{{
     {"pixel-of-byte", "N", Kind::pixel, "", "", false, "the pixel whose byte N is, three bytes a pixel, row by row",
      answers::pixel_of_byte},
     {"byte-of-pixel", "X Y C", Kind::number, "", "", false, "the byte of channel C of pixel X, Y",
@@ -35,6 +35,10 @@ constexpr std::array<Question, 17> kQuestions{{
      answers::row_pixels},
     {"guilty-line", "FIELD", Kind::line, "", "", false, "a line of the listing that asks for the quirk",
      answers::guilty_line},
+    {"row-of-v", "V", Kind::pixel, "", "", false, "a pixel whose v comes nearest to V in its column of the polygon",
+     answers::row_of_v},
+    {"zero-in-denominator", "", Kind::choice, "g|h|i|none", "", false,
+     "a coefficient of g X + h Y + i that is exactly 0", answers::zero_in_denominator},
     {"fate", "X Y", Kind::choice, "drawn|side A|side B|side C|never visited", "edge-equations", false,
      "what decides on the sample", answers::fate},
     {"box-samples", "", Kind::number, "", "edge-equations", false, "how many samples the bounding box has",
@@ -85,7 +89,7 @@ constexpr std::string_view kChoose = "Choose first.", kType = "Type a number fir
         return call.words.emplace_back(word), std::string{};
     }
     const auto number = typed_number(word);
-    const bool real = token == "FROM" || token == "TO";
+    const bool real = token == "FROM" || token == "TO" || token == "V";
     constexpr double kFarthest = 1e9;
     if (!number || std::abs(*number) > kFarthest) return fmt::format("a number for {}", token);
     if (!real && *number != std::floor(*number)) return fmt::format("a whole number for {}", token);

@@ -34,6 +34,8 @@ struct Derived::Cache {
             Grid<std::uint8_t> count;
         };
         std::optional<Hits> hits;
+        std::optional<ErrorMap> errors;
+        std::optional<Difference> difference;
         std::map<std::pair<int, Integer>, std::vector<TickKind>> rows;  ///< of a shape's stage
     };
     /// Holds as long as the cursor stays.
@@ -44,6 +46,7 @@ struct Derived::Cache {
         std::optional<std::vector<Sample>> row;
         std::optional<CanvasPicture> canvas;
         std::optional<std::vector<Lane>> lanes;
+        std::optional<std::vector<MethodCost>> costs;
     };
     OfDrawing of_drawing;
     OfStep of_step;

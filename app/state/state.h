@@ -90,6 +90,7 @@ struct Look {
     float zoom = 0;       ///< canvas pixels per scene pixel; 0: fit
     glm::vec2 centre{0};  ///< scene point at the canvas' centre, where zoom is not 0
     float speed = 8;      ///< steps a second while playing
+    std::string other;    ///< id of the method that the view `difference` compares with; empty: the first other one
     friend bool operator==(const Look&, const Look&) = default;
 };
 

@@ -63,7 +63,8 @@ private:
             case Op::negation: return kit_.row({kit_.upright(kMinus, Role::text), operand(e.parts[0], false)}, 0);
             case Op::call: return function(e);
             case Op::floor: return kit_.floor(set(e.parts[0]));
-            case Op::determinant: return matrix(e);
+            case Op::determinant: return kit_.determinant(std::max(1, e.columns), cells(e));
+            case Op::matrix: return kit_.matrix(std::max(1, e.columns), cells(e));
             case Op::relation: return chain(e);
             case Op::sequence: return sequence(e);
         }
@@ -109,10 +110,10 @@ private:
         return kit_.row({kit_.upright(e.text, Role::text), kit_.in_parentheses(inner)}, 0);
     }
 
-    MathBox matrix(const Expr& e) {
-        std::vector<MathBox> cells;
-        for (const Expr& part : e.parts) cells.push_back(set(part));
-        return kit_.determinant(std::max(1, e.columns), std::move(cells));
+    std::vector<MathBox> cells(const Expr& e) {
+        std::vector<MathBox> boxes;
+        for (const Expr& part : e.parts) boxes.push_back(set(part));
+        return boxes;
     }
 
     MathBox chain(const Expr& e) {

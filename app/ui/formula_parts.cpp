@@ -180,6 +180,17 @@ MathBox MathKit::determinant(int columns, std::vector<MathBox> cells) const {
     return out;
 }
 
+MathBox MathKit::matrix(int columns, std::vector<MathBox> cells) const {
+    MathBox out = determinant(columns, std::move(cells));
+    const float thick = rule(), hook = std::round(px(4));
+    const Area left = out.inks[out.inks.size() - 2].area, right = out.inks.back().area;
+    for (const float y : {left.y, left.bottom() - thick}) {
+        out.inks.push_back({{left.x, y, hook, thick}, MathShape::rule, Role::text});
+        out.inks.push_back({{right.right() - hook, y, hook, thick}, MathShape::rule, Role::text});
+    }
+    return out;
+}
+
 MathBox MathKit::in_parentheses(const MathBox& inner) const {
     // Letters may stand out a little before brackets grow: TeX lets a tenth.
     constexpr float kReachUp = .95F, kReachDown = .5F;

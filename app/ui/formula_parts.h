@@ -32,6 +32,8 @@ public:
     [[nodiscard]] MathBox with_sign(MathBox left, std::string_view sign, float gap, Role role) const;
     [[nodiscard]] MathBox fraction(const MathBox& above, const MathBox& below) const;
     [[nodiscard]] MathBox determinant(int columns, std::vector<MathBox> cells) const;
+    /// The same between square brackets.
+    [[nodiscard]] MathBox matrix(int columns, std::vector<MathBox> cells) const;
     /// Parentheses as tall as their content.
     [[nodiscard]] MathBox in_parentheses(const MathBox& inner) const;
     [[nodiscard]] MathBox floor(const MathBox& inner) const;

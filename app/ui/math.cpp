@@ -109,6 +109,12 @@ Expr determinant(int columns, std::vector<Expr> row_by_row) {
     return e;
 }
 
+Expr matrix(int columns, std::vector<Expr> row_by_row) {
+    Expr e = make(Op::matrix, std::move(row_by_row));
+    e.columns = columns;
+    return e;
+}
+
 Expr relation(Expr left, std::string_view sign, Expr right) {
     return relation_chain({std::move(left), std::move(right)}, {std::string(sign)});
 }

@@ -44,6 +44,7 @@ enum class Op : std::uint8_t {
     call,         ///< function `text` of parts
     floor,        ///< parts[0]
     determinant,  ///< parts row by row, in `columns`
+    matrix,       ///< the same in square brackets
     relation,     ///< parts with one of signs between two
     sequence,     ///< parts beside each other with word spaces
 };
@@ -73,6 +74,7 @@ struct Expr {
 [[nodiscard]] Expr call(std::string_view function, std::vector<Expr> arguments);
 [[nodiscard]] Expr floor_of(Expr of);
 [[nodiscard]] Expr determinant(int columns, std::vector<Expr> row_by_row);
+[[nodiscard]] Expr matrix(int columns, std::vector<Expr> row_by_row);
 [[nodiscard]] Expr relation(Expr left, std::string_view sign, Expr right);
 /// left and what it is said to be in turn: u_x = |..| / |..| = … ≈ 0.5348. `signs` has one element less than `parts`.
 [[nodiscard]] Expr relation_chain(std::vector<Expr> parts, std::vector<std::string> signs);

@@ -111,3 +111,9 @@ def gradient_1d():
     """Eight texels in the order of the rainbow."""
     texels = {"red": 8, "fire": 10, "gold": 12, "grass": 9, "sea": 10, "blue": 8, "violet": 8, "rose": 11}
     return np.array([[colour(name, shade) for name, shade in texels.items()]], np.uint8)
+
+
+def checker_8():
+    """Texel (i, j) is black where i xor j is even, white elsewhere: the checks of S4."""
+    y, x = np.mgrid[0:8, 0:8]
+    return np.repeat(np.where((x ^ y) % 2 == 0, 0, 255).astype(np.uint8)[:, :, None], 3, axis=2)

@@ -267,6 +267,11 @@ TEST(Lessons, TheFiguresOfTheCurriculumHold) {
     EXPECT_EQ(answer(6, "doubles inclusive=on corners=on").number, 9);
     EXPECT_EQ(answer(6, "owner 6 4").options, std::vector{0});
     EXPECT_EQ(answer(9, "changed-coefficients u1 5 7").options, (std::vector{0, 1, 2}));
+    const auto middle = answer(12, "row-of-v 4").places;
+    EXPECT_FALSE(middle.empty());
+    for (const glm::ivec2 place : middle) EXPECT_EQ(place.y, 30);  // 150 in S4's picture, not 175
+    EXPECT_NEAR(answer(12, "value u 1 0").number.value_or(0), 8 * (2.0 / 3 + 0.025), 1e-9);
+    EXPECT_EQ(answer(13, "zero-in-denominator").options, std::vector{0});
     EXPECT_EQ(answer(14, "sections").number, 4);
     EXPECT_EQ(answer(14, "next-pointer").options, std::vector{1});
     EXPECT_EQ(answer(14, "ghost").places, (std::vector<glm::ivec2>{{0, 0}}));

@@ -1,0 +1,125 @@
+// Operations of the methods that draw a polygon through one matrix, counted on their tapes.
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "app/state/derived_cache.h"
+
+namespace texelscope {
+namespace {
+
+constexpr std::array<std::string_view, 3> kCompared{"backward-affine", "backward-projective", "constant-z"};
+
+constexpr Integer kMostCounted = 1 << 18;  ///< samples that a face may visit: more would hold up the step
+
+[[nodiscard]] bool has_fraction(const Value& value) {
+    return !std::holds_alternative<bool>(value) && !std::holds_alternative<Integer>(value);
+}
+
+/// Of the operations [from, to) of the tape. What is made of constants alone is computed by nobody.
+[[nodiscard]] OperationCount count(const Tape& tape, std::int32_t from, std::int32_t to) {
+    std::vector<bool> constant(tape.operations.size());
+    OperationCount n;
+    for (std::int32_t o = 0; o < to; ++o) {
+        const Operation& op = tape.operations[static_cast<std::size_t>(o)];
+        const auto fixed = [&](std::int32_t x) { return x < 0 || constant[static_cast<std::size_t>(x)]; };
+        const bool leaf = op.op == Op::input || op.op == Op::constant;
+        constant[static_cast<std::size_t>(o)] =
+            op.op == Op::constant || (!leaf && fixed(op.a) && fixed(op.b) && fixed(op.c));
+        if (o < from || leaf || constant[static_cast<std::size_t>(o)] || !has_fraction(op.value)) continue;
+        n.additions += op.op == Op::add || op.op == Op::subtract;
+        n.multiplications += op.op == Op::multiply;
+        n.divisions += op.op == Op::divide;
+    }
+    return n;
+}
+
+/// Where on the tape the round of a loop begins: its variable's place. The tape's end where there is none.
+[[nodiscard]] std::int32_t round_of(const Tape& tape, char letter, std::int32_t after) {
+    for (const Named& named : tape.names) {
+        if (named.loop_variable && named.operation > after && named.name.text() == std::string(1, letter))
+            return named.operation;
+    }
+    return static_cast<std::int32_t>(tape.operations.size());
+}
+
+/// The samples that a shape writes, by line.
+struct Extent {
+    std::set<Integer> lines;
+    Integer pixels = 0, line_pixels = 0;
+    std::optional<Sample> in_line;  ///< the cursor's, else one in the middle
+};
+[[nodiscard]] Extent extent_of(const Drawing& drawing, int shape, bool columns, std::optional<glm::ivec2> pixel) {
+    Extent extent;
+    const auto line_of = [&](const Sample& s) { return columns ? s.x : s.y; };
+    std::vector<Sample> all;
+    each_sample(drawing, shape, shape + 1, {drawing.scene().framebuffer.rect(), 1}, [&](int, const Sample& s) {
+        if (s.fate == Fate::written) all.push_back(s);
+    });
+    for (const Sample& s : all) {
+        extent.lines.insert(line_of(s));
+        if (pixel && s.x == pixel->x && s.y == pixel->y) extent.in_line = s;
+    }
+    extent.pixels = static_cast<Integer>(all.size());
+    if (!extent.in_line && !all.empty()) extent.in_line = all[all.size() / 2];
+    if (extent.in_line) {
+        const Integer line = line_of(*extent.in_line);
+        extent.line_pixels = std::count_if(all.begin(), all.end(), [&](const Sample& s) { return line_of(s) == line; });
+    }
+    return extent;
+}
+
+[[nodiscard]] std::optional<MethodCost> cost_of(const Drawing& drawing, int shape, std::optional<glm::ivec2> pixel) {
+    MethodCost cost{.method = drawing.settings().method};
+    Steps steps(drawing);
+    std::optional<Sample> any = extent_of(drawing, shape, false, pixel).in_line;
+    if (!any) return std::nullopt;
+    const auto path = steps.at_pixel(shape, any->x, any->y);
+    if (!path || path->parts.size() != 4) return std::nullopt;
+    const char outer = path->parts[2].letter, inner = path->parts[3].letter;
+    cost.columns = outer == 'x';
+    const Extent extent = extent_of(drawing, shape, cost.columns, pixel);
+    cost.line_pixels = extent.line_pixels, cost.pixels = extent.pixels;
+    cost.lines = static_cast<Integer>(extent.lines.size());
+
+    const Tape& tape = steps.at(*path).tape;
+    const std::int32_t line = round_of(tape, outer, -1), sample = round_of(tape, inner, line);
+    cost.setup = count(tape, 0, line);
+    cost.line = count(tape, line, sample);
+    cost.pixel = count(tape, sample, static_cast<std::int32_t>(tape.operations.size()));
+    return cost;
+}
+
+}  // namespace
+
+const std::vector<MethodCost>& Derived::costs() const {
+    auto& costs = cache_->of_step.costs;
+    if (costs) return *costs;
+    costs.emplace();
+    if (shape() < 0) return *costs;
+    const Rect reach = drawing().reach(shape());
+    if (Integer{reach.width()} * reach.height() > kMostCounted) return *costs;
+    const int polygon = drawing().polygon_of(shape());
+    const auto add = [&](const Drawing& other, int n, bool current) {
+        auto cost = cost_of(other, n, pixel());
+        if (!cost) return;
+        cost->current = current;
+        costs->push_back(*cost);
+    };
+    bool own = false;
+    for (const std::string_view id : kCompared) {
+        const Method* compared = find_method(id);
+        if (compared == &method()) {
+            add(drawing(), shape(), true), own = true;
+            continue;
+        }
+        DrawSettings settings = drawing().settings();
+        settings.method = compared, settings.quirks = 0;
+        const Drawing other(scene(), settings);
+        if (other.first_shape_of(polygon) < other.shape_count()) add(other, other.first_shape_of(polygon), false);
+    }
+    if (!own) add(drawing(), shape(), true);
+    return *costs;
+}
+
+}  // namespace texelscope
