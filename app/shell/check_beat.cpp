@@ -19,8 +19,12 @@ constexpr std::string_view kLetters = "TGSPE";  ///< of the levels, as a lesson'
 struct Special {
     std::string_view view, method;
 };
-constexpr std::array<Special, 4> kSpecials{
-    {{"signs", "edge-equations"}, {"passes", "edge-equations"}, {"face", "sections"}, {"ring", "sections"}}};
+constexpr std::array<Special, 6> kSpecials{{{"signs", "edge-equations"},
+                                            {"passes", "edge-equations"},
+                                            {"face", "sections"},
+                                            {"ring", "sections"},
+                                            {"walk", "edge-walk"},
+                                            {"weights", "barycentric"}}};
 
 class BeatChecker {
 public:

@@ -6,7 +6,7 @@
 namespace texelscope {
 namespace {
 
-constexpr std::array<QuirkInfo, 8> kQuirks{{
+constexpr std::array<QuirkInfo, 10> kQuirks{{
     {"Q1", "inclusive", "both own the side",
      "A sample is taken where E ≤ 0, so both triangles draw the samples of a shared side."},
     {"Q2", "one_winding", "one winding only",
@@ -21,6 +21,12 @@ constexpr std::array<QuirkInfo, 8> kQuirks{{
      "Four passes over arrays, as the source has them, in place of one loop over pixels.", QuirkKind::form},
     {"exclusive", "exclusive", "nobody owns the side",
      "A sample is taken where E < 0, so the samples of a shared side belong to neither triangle.", QuirkKind::other},
+    {"based", "based", "counted from a corner",
+     "u and v are counted from corner 0, not from the screen's origin: large numbers no longer cancel.",
+     QuirkKind::other},
+    {"additions", "additions", "two additions a pixel",
+     "Only a row's first sample is multiplied out; then u grows by u_x and v by v_x, and errors add up.",
+     QuirkKind::other},
 }};
 constexpr std::array<VariantInfo, 2> kVariants{{{"as-printed", 0b0111111}, {"corrected", 0}}};
 
