@@ -26,7 +26,8 @@ constexpr std::string_view kShape = "shape: {} of {} texels wrong", kEnd = "at x
 constexpr std::string_view kTip =
     "How far $u$ and $v$ are from those of the same method in exact numbers. A triangle marks a pixel that reads "
     "another texel.";
-constexpr float kMark = 3.5F;  ///< [px at 100 %]
+constexpr double kMostDecimals = 5;  ///< of the scale; smaller numbers have a power of ten
+constexpr float kMark = 3.5F;        ///< [px at 100 %]
 
 /// The least of 1, 2 or 5 times a power of ten that is not below `most`.
 [[nodiscard]] double rounded_up(double most) {
@@ -67,7 +68,8 @@ public:
 
 private:
     [[nodiscard]] std::string scale_text(double value) const {
-        return none_ && value != 0 ? std::string() : ui::format_number(value, 9).text;
+        const int decimals = static_cast<int>(std::clamp(-std::floor(std::log10(end_)), 0.0, kMostDecimals));
+        return none_ && value != 0 ? std::string() : ui::format_number(value, decimals).text;
     }
     [[nodiscard]] float scale_width() const {
         const ui::Font& font = ui_.font(ui::Face::count);
@@ -113,11 +115,13 @@ private:
     void draw_ribbon(Role role, auto&& error) {
         const ui::Color color = ui_.theme()[role];
         const float zero = plot_.centre().y;
-        float before = zero;
+        float before = zero, free = plot_.x;  // a column of the window is filled once
         for (const RowError::At& at : row_.pixels) {
             const double e = error(at);
             if (!std::isfinite(e)) continue;
-            const float left = std::round(x_at(at.x)), right = std::max(left + 1, std::round(x_at(at.x + 1)));
+            const float left = std::max(free, std::round(x_at(at.x))), right = std::round(x_at(at.x + 1));
+            if (right <= left) continue;
+            free = right;
             const float y = std::round(y_at(e));
             const float top = std::min(y, zero), bottom = std::max(y, zero);
             ui::fill(ui_.list(), {left, top, right - left, bottom - top}, ui::with_alpha(color, .32F));
@@ -136,7 +140,10 @@ private:
         const float side = role == Role::u ? ui_.px(4) + letter.width : 2 * letter.width + ui_.px(14);
         const float up = y - ui_.px(6), low = y + ui_.px(6) + letter.ascent;
         const bool above = up - letter.ascent > plot_.y;
-        ui_.formula(letter, {plot_.right() - side, above ? up : std::min(low, plot_.bottom() - ui_.px(2))});
+        const glm::vec2 pen{plot_.right() - side, std::round(above ? up : std::min(low, plot_.bottom() - ui_.px(2)))};
+        const ui::Area plate{pen.x - 2, pen.y - letter.ascent - 2, letter.width + 4, letter.height() + 4};
+        ui::fill(ui_.list(), plate, ui_.theme().canvas, ui::size::kBadgeRadius);
+        ui_.formula(letter, pen);
     }
 
     /// A triangle under each pixel that reads another texel.

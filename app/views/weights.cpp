@@ -132,7 +132,7 @@ std::optional<WeightedPoint> weighted_point(const ViewContext& context) {
     const Derived& derived = context.derived;
     if (!canvas::is_triangle(derived)) return std::nullopt;
     std::optional<glm::ivec2> pixel = derived.pixel();
-    if (!canvas::pixel_question_ahead(context.state)) {
+    if (!canvas::pointing(context.state, Prediction::Kind::pixel).asked) {
         for (const Selection* s : {&context.state.pinned, &context.state.hover})
             if (s->kind == Selection::Kind::pixel) pixel = s->at;
     }
