@@ -11,14 +11,17 @@
 namespace texelscope::answers {
 namespace {
 
-constexpr Integer kMostCompared = Integer{1} << 14;  ///< pixels of a shape's box: exact numbers are slow
-constexpr double kOnePixel = 0.04;                   ///< weights so near are those of the same place, to the eye
+constexpr int kMostCompared = 1 << 14;  ///< pixels of a shape's box: exact numbers are slow
+constexpr double kOnePixel = 0.04;      ///< weights so near are those of the same place, to the eye
 
 using Texels = std::map<std::pair<Integer, Integer>, glm::ivec2>;  ///< by pixel
 
+/// Of a shape with more pixels only the upper rows.
 [[nodiscard]] Texels texels_of(const Drawing& drawing, int shape) {
     Texels texels;
-    each_sample(drawing, shape, shape + 1, {drawing.scene().framebuffer.rect(), 1}, [&](int, const Sample& s) {
+    Rect rect = drawing.reach(shape);
+    rect.y1 = std::min(rect.y1, rect.y0 + std::max(1, kMostCompared / std::max(1, rect.width())));
+    each_sample(drawing, shape, shape + 1, {rect, 1}, [&](int, const Sample& s) {
         if (s.fate == Fate::written) texels.insert_or_assign({s.x, s.y}, glm::ivec2(s.column, s.row));
     });
     return texels;
@@ -66,13 +69,9 @@ Accepted double_row(const Asked& asked) {
 
 Accepted first_flip(const Asked& asked) {
     constexpr int kNone = 4;
-    Accepted a{.step = asked.step, .sentence = "At none of them: all texels are the exact ones."};
+    Accepted a{.options = {kNone}, .step = asked.step, .sentence = "At none of them: all texels are the exact ones."};
     const int shape = asked.shape();
     if (shape < 0) return a;
-    const Rect reach = asked.drawing.reach(shape);
-    if (Integer{reach.width()} * reach.height() > kMostCompared)
-        return a.sentence = "The shape has too many pixels to compare.", a;
-    a.options = {kNone};
     const DrawSettings settings = with_quirks(asked.drawing, asked.call.quirks);
     for (int n = 0; n < kNone; ++n) {
         const int left = asked.whole(static_cast<std::size_t>(n));

@@ -242,6 +242,7 @@ TEST(Questions, EachIsNamedOnceAndDocumented) {
         return std::string(question.name) + (question.method == "sections" ? " ghost" : " inclusive");
     std::string call(question.name);
     if (question.form == "A B") return call + " 1 2";
+    if (question.name == "first-flip") return call + " 0 100 10000 1000000";
     if (question.form == "N") return call + " " + std::to_string(100 * a);
     if (!question.form.empty()) call += " " + std::to_string(a) + " " + std::to_string(b);
     if (question.form == "X Y C") call += " 1";

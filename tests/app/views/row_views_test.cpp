@@ -4,6 +4,14 @@
 namespace texelscope {
 namespace {
 
+/// Whether the words stand on the screen in this order, however they are divided.
+[[nodiscard]] bool says(const ViewStage& stage, std::string words) {
+    std::string all;
+    for (const ui::TextRecord& text : stage.report.texts) all += text.text;
+    for (std::string* s : {&all, &words}) std::erase(*s, ' ');
+    return all.find(words) != std::string::npos;
+}
+
 constexpr ui::Area kSmall{20, 20, 208, 208}, kWide{20, 20, 416, 208};
 
 TEST(WalkView, ListsTheRowsSoFarAndGoesToTheOneThatIsClicked) {
@@ -38,7 +46,7 @@ TEST(WalkView, MarksTheRowThatIsDrawnTwice) {
 TEST(WalkView, SaysSoWhereNothingIsWalked) {
     ViewStage stage({.method = "barycentric", .step = "t0/s4/y11"});
     stage.frame("walk", kWide);
-    EXPECT_TRUE(stage.shows("does not walk"));
+    EXPECT_TRUE(says(stage, "does not walk"));
 }
 
 TEST(RibbonView, SaysTheErrorAtTheEndAndHowManyTexelsDiffer) {
@@ -47,7 +55,7 @@ TEST(RibbonView, SaysTheErrorAtTheEndAndHowManyTexelsDiffer) {
     const RowError& error = stage.derived.row_error();
     ASSERT_GT(error.others, 0);
     EXPECT_TRUE(stage.shows(std::to_string(error.others) + " of " + std::to_string(error.pixels.size())));
-    EXPECT_TRUE(stage.shows("at x = " + std::to_string(error.pixels.back().x)));
+    EXPECT_TRUE(says(stage, "at x = " + std::to_string(error.pixels.back().x)));
     EXPECT_TRUE(stage.shows("fx8.8"));
     stage.state.work.format = NumberFormat::exact;
     stage.frame("ribbon", kWide);
@@ -57,7 +65,7 @@ TEST(RibbonView, SaysTheErrorAtTheEndAndHowManyTexelsDiffer) {
 TEST(RibbonView, AsksForARowWhereThereIsNone) {
     ViewStage stage({.step = "t0/s0", .level = Level::stage});
     stage.frame("ribbon", kWide);
-    EXPECT_TRUE(stage.shows("Step into a row"));
+    EXPECT_TRUE(says(stage, "Step into a row"));
 }
 
 TEST(WeightsView, ShowsThreeWeightsThatSumToOne) {
@@ -71,9 +79,9 @@ TEST(WeightsView, ShowsThreeWeightsThatSumToOne) {
 
 TEST(WeightsView, FollowsTheMouseAndSaysWhatIsNotComputedOutside) {
     ViewStage stage({.method = "barycentric", .step = "t0/s4/y11/x15"});
-    stage.state.hover = {.kind = Selection::Kind::pixel, .at = {4, 3}};
+    stage.state.hover = {.kind = Selection::Kind::pixel, .at = {28, 3}};  // beyond side B
     stage.frame("weights", kSmall);
-    EXPECT_TRUE(stage.shows("pixel 4, 3"));
+    EXPECT_TRUE(stage.shows("pixel 28, 3"));
     EXPECT_TRUE(stage.shows("not computed"));
     EXPECT_TRUE(stage.shows("outside"));
 }
