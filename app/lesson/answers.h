@@ -34,4 +34,9 @@ namespace texelscope::answers {
 [[nodiscard]] Accepted next_pointer(const Asked& asked);
 [[nodiscard]] Accepted ghost(const Asked& asked);
 
+// Walks along the sides, limited numbers, weights (answers_numbers.cpp).
+[[nodiscard]] Accepted double_row(const Asked& asked);
+[[nodiscard]] Accepted first_flip(const Asked& asked);
+[[nodiscard]] Accepted weights_at(const Asked& asked);
+
 }  // namespace texelscope::answers

@@ -18,7 +18,7 @@ namespace {
 
 using Kind = Prediction::Kind;
 
-constexpr std::array<Question, 19> kQuestions{{
+constexpr auto kQuestions = std::to_array<Question>({
     {"pixel-of-byte", "N", Kind::pixel, "", "", false, "the pixel whose byte N is, three bytes a pixel, row by row",
      answers::pixel_of_byte},
     {"byte-of-pixel", "X Y C", Kind::number, "", "", false, "the byte of channel C of pixel X, Y",
@@ -52,7 +52,14 @@ constexpr std::array<Question, 19> kQuestions{{
      "which pointer moves at the end of the step's section", answers::next_pointer},
     {"ghost", "", Kind::pixel, "", "sections", false, "a pixel that a stale slot of the row buffer was drawn to",
      answers::ghost},
-}};
+    {"double-row", "", Kind::number, "", "edge-walk", true, "the row that both halves of the shape draw",
+     answers::double_row},
+    {"first-flip", "NEAR FAR FARTHER FARTHEST", Kind::choice, "the first|the second|the third|the fourth|none", "",
+     true, "at which distance from the origin a texel of the shape first differs from exact numbers",
+     answers::first_flip},
+    {"weights-at", "E0 E1 E2", Kind::pixel, "", "barycentric", false, "a pixel with these weights, or next to it",
+     answers::weights_at},
+});
 
 constexpr std::string_view kPlaces = "Mark it first: point, or move there with I and the arrows.";
 constexpr std::string_view kChoose = "Choose first.", kType = "Type a number first.",
@@ -89,7 +96,7 @@ constexpr std::string_view kChoose = "Choose first.", kType = "Type a number fir
         return call.words.emplace_back(word), std::string{};
     }
     const auto number = typed_number(word);
-    const bool real = token == "FROM" || token == "TO" || token == "V";
+    const bool real = token == "FROM" || token == "TO" || token == "V" || token[0] == 'E';
     constexpr double kFarthest = 1e9;
     if (!number || std::abs(*number) > kFarthest) return fmt::format("a number for {}", token);
     if (!real && *number != std::floor(*number)) return fmt::format("a whole number for {}", token);

@@ -19,13 +19,17 @@ constexpr std::string_view kLetters = "TGSPE";  ///< of the levels, as a lesson'
 struct Special {
     std::string_view view, method;
 };
-constexpr std::array<Special, 7> kSpecials{{{"signs", "edge-equations"},
-                                            {"passes", "edge-equations"},
-                                            {"face", "sections"},
-                                            {"ring", "sections"},
-                                            {"matrix", "backward-affine"},
-                                            {"matrix", "backward-projective"},
-                                            {"matrix", "constant-z"}}};
+constexpr auto kSpecials = std::to_array<Special>({
+    {"signs", "edge-equations"},
+    {"passes", "edge-equations"},
+    {"face", "sections"},
+    {"ring", "sections"},
+    {"matrix", "backward-affine"},
+    {"matrix", "backward-projective"},
+    {"matrix", "constant-z"},
+    {"walk", "edge-walk"},
+    {"weights", "barycentric"},
+});
 
 class BeatChecker {
 public:

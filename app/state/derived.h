@@ -145,6 +145,31 @@ struct Notice {
     std::string text;
 };
 
+/// A row of a shape that is walked along its sides, as its own step has it.
+struct WalkedRow {
+    Path path;                   ///< of the row
+    Integer y = 0;               ///< [px]
+    double left = 0, right = 0;  ///< x_l and x_r, where it meets the sides [px]
+};
+inline constexpr Integer kMaxWalkedRows = 128;
+
+/// How far a row's numbers are from the same method's run in exact arithmetic.
+struct RowError {
+    struct At {
+        Integer x = 0;        ///< [px]
+        double u = 0, v = 0;  ///< in the chosen format less exact [texels]
+        bool other = false;   ///< it reads another texel, or only one of the two runs draws it
+    };
+    std::vector<At> pixels;  ///< in order of x
+    int others = 0;          ///< how many of them read another texel
+};
+/// The same over a whole shape.
+struct ShapeError {
+    int pixels = 0, others = 0;
+    double most = 0;  ///< greatest |error| of u or v [texels]
+};
+inline constexpr Integer kMaxCompared = 4096;  ///< pixels of a shape's box; exact numbers are slow
+
 class Derived {
 public:
     Derived();
@@ -188,6 +213,13 @@ public:
     [[nodiscard]] const LineCounts& line_counts() const;
     /// (u, v) of every sample of the current row of the current shape, in order: the path on the texture.
     [[nodiscard]] const std::vector<Sample>& row_samples() const;
+    /// All rows of the current shape that have x_l and x_r, in the order in which they are drawn; none where there are
+    /// more than kMaxWalkedRows.
+    [[nodiscard]] const std::vector<WalkedRow>& walked_rows() const;
+    /// The current row of the current shape against exact arithmetic; empty outside of rows.
+    [[nodiscard]] const RowError& row_error() const;
+    /// The current shape against exact arithmetic; nothing where its box has more than kMaxCompared pixels.
+    [[nodiscard]] std::optional<ShapeError> shape_error() const;
     [[nodiscard]] const std::vector<Notice>& notices() const;
     [[nodiscard]] Highlight highlight(const Selection& selection) const;
     /// Every sample written to a pixel so far, oldest first.

@@ -36,7 +36,9 @@ struct Derived::Cache {
         std::optional<Hits> hits;
         std::optional<ErrorMap> errors;
         std::optional<Difference> difference;
-        std::map<std::pair<int, Integer>, std::vector<TickKind>> rows;  ///< of a shape's stage
+        std::map<std::pair<int, Integer>, std::vector<TickKind>> rows;   ///< of a shape's stage
+        std::optional<std::pair<int, std::vector<WalkedRow>>> walked;    ///< of a shape
+        std::optional<std::pair<int, std::optional<ShapeError>>> error;  ///< of a shape
     };
     /// Holds as long as the cursor stays.
     struct OfStep {
@@ -44,6 +46,7 @@ struct Derived::Cache {
         std::optional<std::vector<Variable>> variables;
         std::optional<LineCounts> counts;
         std::optional<std::vector<Sample>> row;
+        std::optional<RowError> row_error;
         std::optional<CanvasPicture> canvas;
         std::optional<std::vector<Lane>> lanes;
         std::optional<std::vector<MethodCost>> costs;

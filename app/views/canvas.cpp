@@ -76,6 +76,8 @@ void draw_layers(Sheet& sheet) {
     draw_samples(sheet);
     if (!sheet.ctx.state.look.hits) draw_numbers(sheet);
     draw_ghosts(sheet);
+    const bool weights = shows(sheet.ctx.state, "weights");
+    if (weights) draw_weight_areas(sheet);
     draw_outlines(sheet);
     // Counts are what a hit map is for: the sides must not hide them.
     if (sheet.ctx.state.look.hits) draw_numbers(sheet);
@@ -91,6 +93,8 @@ void draw_layers(Sheet& sheet) {
     draw_position_badges(sheet, badges);
     draw_corner_labels(sheet);
     if (sheet.sections) draw_section_marks(sheet);
+    if (shows(sheet.ctx.state, "walk")) draw_walk(sheet);
+    if (weights) draw_weight_labels(sheet);
     if (sheet.planes)
         draw_sign_badges(sheet);
     else

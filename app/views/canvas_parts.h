@@ -58,6 +58,12 @@ void draw_tilt(Sheet& sheet);
 // In canvas_sections.cpp.
 void draw_sections(const Sheet& sheet);
 void draw_section_marks(Sheet& sheet);
+// In canvas_walk.cpp.
+void draw_walk(Sheet& sheet);
+// In canvas_weights.cpp.
+/// The three areas between a point and the sides; the point is that of the view `weights`.
+void draw_weight_areas(const Sheet& sheet);
+void draw_weight_labels(Sheet& sheet);
 // In canvas_shape.cpp.
 void draw_outlines(const Sheet& sheet);
 /// Keeps plates off the current shape's corners.

@@ -79,7 +79,7 @@ bool hides_corners(const State& state) {
 }
 
 double sample_offset(const State& state, const Derived& derived) {
-    static constexpr std::array<std::string_view, 2> kAtTheCorner{"corners", "whole_pixels"};
+    static constexpr std::array<std::string_view, 3> kAtTheCorner{"corners", "whole_pixels", "whole_start"};
     const bool at_corner = std::any_of(kAtTheCorner.begin(), kAtTheCorner.end(), [&](std::string_view id) {
         const int quirk = quirk_index(derived.method(), id);
         return quirk >= 0 && (state.work.quirks >> quirk & 1U) != 0;

@@ -13,7 +13,7 @@ struct Meaning {
     std::string_view name, text;
 };
 /// By the whole name; `#` stands for a corner's number, `@` for a side's letter.
-constexpr std::array<Meaning, 61> kMeanings{{
+constexpr std::array<Meaning, 68> kMeanings{{
     {"x_#", "corner #'s distance from the screen's left border [px]"},
     {"y_#", "corner #'s distance from the screen's top border [px]"},
     {"u_#", "corner #'s column on the texture [texels]"},
@@ -75,6 +75,13 @@ constexpr std::array<Meaning, 61> kMeanings{{
     {"du", "how much $u$ grows from pixel to pixel [texels]"},
     {"dv", "how much $v$ grows from pixel to pixel [texels]"},
     {"dx", "the row's width [px]"},
+    {"dx_long", "how much $x$ grows from row to row along the long side [px]"},
+    {"dx_short", "how much $x$ grows from row to row along the short side [px]"},
+    {"ahead", "how far the first sample lies behind the place that the walk starts from [px]"},
+    {"A", "the triangle's area, positive where its corners run clockwise [px²]"},
+    {"e_#", "corner #'s weight: 1 at it, 0 on the side across from it"},
+    {"part_#", "the area between the sample and the side across from corner # [px²]"},
+    {"in_#", "whether the sample lies on corner #'s side of the side across from it"},
 }};
 
 constexpr std::string_view kDragHint = "Drag to change it.";

@@ -6,7 +6,7 @@
 namespace texelscope {
 namespace {
 
-constexpr std::array<QuirkInfo, 9> kQuirks{{
+constexpr std::array<QuirkInfo, 11> kQuirks{{
     {"Q1", "inclusive", "both own the side",
      "A sample is taken where E ≤ 0, so both triangles draw the samples of a shared side."},
     {"Q2", "one_winding", "one winding only",
@@ -23,6 +23,12 @@ constexpr std::array<QuirkInfo, 9> kQuirks{{
      "A sample is taken where E < 0, so the samples of a shared side belong to neither triangle.", QuirkKind::other},
     {"float32", "float_pixels", "pixels in float32",
      "As published: the set-up is double, all that is done for each pixel float32, as the arrays hold it.",
+     QuirkKind::other},
+    {"based", "based", "counted from a corner",
+     "u and v are counted from corner 0, not from the screen's origin: large numbers no longer cancel.",
+     QuirkKind::other},
+    {"additions", "additions", "two additions a pixel",
+     "Only a row's first sample is multiplied out; then u grows by u_x and v by v_x, and errors add up.",
      QuirkKind::other},
 }};
 constexpr std::array<VariantInfo, 3> kVariants{

@@ -18,6 +18,8 @@ struct EdgeEquationsQuirks {
     bool arrays = false;        ///< not a fault: four passes over arrays, as the source has them, in place of one loop
     bool exclusive = false;     ///< not in the source: the other careless rule
     bool float_pixels = false;  ///< as published: everything per pixel in float32 arrays, whatever the set-up's type
+    bool based = false;      ///< not in the source: the planes are counted from corner 0, not from the screen's origin
+    bool additions = false;  ///< S5's loop: along a row u and v grow by u_x and v_x, pixel after pixel
 };
 
 template <Real T, Traceable Trace>
@@ -32,7 +34,7 @@ struct EdgeEquations {
     using Corners = std::array<Corner, 3>;
     struct Plane {
         T x, y, k;
-    };  ///< a = x X + y Y + k over the screen
+    };  ///< a = x X + y Y + k over the screen, X and Y counted from Setup::base
     struct Side {
         T x, y, k;
         Truth owns;
@@ -40,8 +42,12 @@ struct EdgeEquations {
     struct Box {
         Int x0, x1, y0, y1;
     };  ///< half-open
+    struct Point {
+        T x{}, y{};
+    };
     struct Setup {
         T delta{}, light{}, half{};
+        Point base{};  ///< where both planes have the value k
         Plane u{}, v{};
         std::array<Side, 3> side{};
         Box box{};
@@ -69,6 +75,7 @@ struct EdgeEquations {
         if (s.fate != Fate::written) return s.fate;
         if (quirk.arrays) return draw_arrays(s, put);
         trace.stage("pixels");
+        if (quirk.additions) return draw_by_additions(s, put);
         for (const Int j : trace.each('y', s.box.y0, s.box.y1))
             for (const Int i : trace.each('x', s.box.x0, s.box.x1)) put(i, j, pixel(s, i, j));
         return Fate::written;
@@ -89,6 +96,7 @@ struct EdgeEquations {
             s.fate = trace.fate(Fate::culled);
         if (s.fate != Fate::written) return s;
 
+        if (quirk.based) s.base = {p[0].x, p[0].y};
         trace.stage("u plane");
         s.u = plane("u", p, p[0].u, p[1].u, p[2].u, s.delta);
         trace.stage("v plane");
@@ -113,6 +121,7 @@ struct EdgeEquations {
     Plane plane(const char* a, const Corners& p, const T& a0, const T& a1, const T& a2, const T& delta) const {
         const T x = trace({a, "_x"}, ((a1 - a0) * (p[2].y - p[0].y) - (a2 - a0) * (p[1].y - p[0].y)) / delta);
         const T y = trace({a, "_y"}, ((p[1].x - p[0].x) * (a2 - a0) - (p[2].x - p[0].x) * (a1 - a0)) / delta);
+        if (quirk.based) return {x, y, a0};
         const T k = trace({a, "_k"}, a0 - p[0].x * x - p[0].y * y);
         return {x, y, k};
     }
@@ -185,8 +194,19 @@ struct EdgeEquations {
         return single(single(single(p.x * single(x)) + single(p.y * single(y))) + single(k));
     }
     void address(const Setup& s, Pixel& p) const {
+        planes(s, p);
+        texel_at(p);
+    }
+    void planes(const Setup& s, Pixel& p) const {
+        if (quirk.based) return planes_from_corner(s, p);
         p.u = trace("u", affine(p, s.u.x, s.u.y, s.u.k));
         p.v = trace("v", affine(p, s.v.x, s.v.y, s.v.k));
+    }
+    void planes_from_corner(const Setup& s, Pixel& p) const {
+        p.u = trace("u", s.u.k + (p.x - s.base.x) * s.u.x + (p.y - s.base.y) * s.u.y);
+        p.v = trace("v", s.v.k + (p.x - s.base.x) * s.v.x + (p.y - s.base.y) * s.v.y);
+    }
+    void texel_at(Pixel& p) const {
         p.texel.column = trace("column", texel_index(p.u, texture.width()));
         p.texel.row = trace("row", texel_index(p.v, texture.height()));
     }
@@ -202,6 +222,35 @@ struct EdgeEquations {
     }
     Int shade(const Setup& s, int channel) const {
         return lightness == 1 ? Int(channel) : lit(T(channel), s.light, quirk.wrap_light);
+    }
+
+    /// Two additions per pixel: only the first sample of a row is multiplied out.
+    Fate draw_by_additions(const Setup& s, auto&& put) const {
+        for (const Int j : trace.each('y', s.box.y0, s.box.y1)) {
+            Pixel next = row_start(s, j);
+            for (const Int i : trace.walk('x', s.box.x0, s.box.x1)) {
+                if (trace.wanted('x', i)) put(i, j, pixel(s, i, j, next));
+                next.u = next.u + s.u.x;
+                next.v = next.v + s.v.x;
+            }
+        }
+        return Fate::written;
+    }
+    Pixel row_start(const Setup& s, const Int& j) const {
+        Pixel first;
+        first.x = trace("X", T(s.box.x0) + s.half);
+        first.y = trace("Y", T(j) + s.half);
+        planes(s, first);
+        return first;
+    }
+    Pixel pixel(const Setup& s, const Int& i, const Int& j, const Pixel& walked) const {
+        Pixel p = cover(s, i, j);
+        if (p.fate != Fate::written) return p;
+        p.u = trace("u", walked.u);
+        p.v = trace("v", walked.v);
+        texel_at(p);
+        fetch(s, p);
+        return p;
     }
 
     /// The source's own shape: whole arrays, one pass after the other. Each pass hands its results to the next.

@@ -243,6 +243,7 @@ TEST(Questions, EachIsNamedOnceAndDocumented) {
     std::string call(question.name);
     if (question.form == "A B") return call + " 1 2";
     if (question.form == "V") return call + " " + std::to_string(std::abs(b) % 3);
+    if (question.name == "first-flip") return call + " 0 100 10000 1000000";
     if (question.form == "N") return call + " " + std::to_string(100 * a);
     if (!question.form.empty()) call += " " + std::to_string(a) + " " + std::to_string(b);
     if (question.form == "X Y C") call += " 1";
