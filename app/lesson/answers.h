@@ -30,4 +30,9 @@ namespace texelscope::answers {
 [[nodiscard]] Accepted next_pointer(const Asked& asked);
 [[nodiscard]] Accepted ghost(const Asked& asked);
 
+// Solids (answers_solids.cpp).
+[[nodiscard]] Accepted visible_faces(const Asked& asked);
+[[nodiscard]] Accepted cut_corners(const Asked& asked);
+[[nodiscard]] Accepted cut_weight(const Asked& asked);
+
 }  // namespace texelscope::answers

@@ -18,7 +18,7 @@ namespace {
 
 using Kind = Prediction::Kind;
 
-constexpr std::array<Question, 17> kQuestions{{
+constexpr std::array<Question, 20> kQuestions{{
     {"pixel-of-byte", "N", Kind::pixel, "", "", false, "the pixel whose byte N is, three bytes a pixel, row by row",
      answers::pixel_of_byte},
     {"byte-of-pixel", "X Y C", Kind::number, "", "", false, "the byte of channel C of pixel X, Y",
@@ -48,6 +48,12 @@ constexpr std::array<Question, 17> kQuestions{{
      "which pointer moves at the end of the step's section", answers::next_pointer},
     {"ghost", "", Kind::pixel, "", "sections", false, "a pixel that a stale slot of the row buffer was drawn to",
      answers::ghost},
+    {"visible-faces", "", Kind::number, "", "", false, "how many faces of the shape's solid show us their outside",
+     answers::visible_faces},
+    {"cut-corners", "", Kind::many, "0|1|2|3|4|5|6|7", "", false,
+     "which corners of the small jelly cube lie outside the big one", answers::cut_corners},
+    {"cut-weight", "OUTSIDE INSIDE", Kind::number, "", "", false,
+     "the weight of the end at OUTSIDE in the cut at 1; 0.01 either way", answers::cut_weight},
 }};
 
 constexpr std::string_view kPlaces = "Mark it first: point, or move there with I and the arrows.";
@@ -85,7 +91,7 @@ constexpr std::string_view kChoose = "Choose first.", kType = "Type a number fir
         return call.words.emplace_back(word), std::string{};
     }
     const auto number = typed_number(word);
-    const bool real = token == "FROM" || token == "TO";
+    const bool real = token == "FROM" || token == "TO" || token == "OUTSIDE" || token == "INSIDE";
     constexpr double kFarthest = 1e9;
     if (!number || std::abs(*number) > kFarthest) return fmt::format("a number for {}", token);
     if (!real && *number != std::floor(*number)) return fmt::format("a whole number for {}", token);

@@ -52,8 +52,8 @@ struct Asked {
 
 struct Question {
     std::string_view name;
-    /// Its arguments: NAME and FIELD are words, FROM and TO numbers, others whole numbers; "?" behind one: may be left
-    /// out.
+    /// Its arguments: NAME and FIELD are words, FROM, TO, OUTSIDE and INSIDE numbers, others whole numbers; "?" behind
+    /// one: may be left out.
     std::string_view form;
     Prediction::Kind kind = Prediction::Kind::choice;
     std::string_view options;  ///< what the options stand for, in order, divided by "|"; empty where there are none

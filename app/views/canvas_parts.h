@@ -58,6 +58,8 @@ void draw_tilt(Sheet& sheet);
 // In canvas_sections.cpp.
 void draw_sections(const Sheet& sheet);
 void draw_section_marks(Sheet& sheet);
+// In canvas_turn.cpp.
+void turn_by_mouse(const Sheet& sheet);
 // In canvas_shape.cpp.
 void draw_outlines(const Sheet& sheet);
 /// Keeps plates off the current shape's corners.
