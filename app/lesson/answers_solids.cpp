@@ -48,10 +48,10 @@ Accepted cut_corners(const Asked& asked) {
     if (cubes.shape != Shape3d::jelly_cubes || !(cubes.ratio > 0)) return a;
     std::string names;
     const auto corners = jelly_corners(cubes.ratio, rotation(cubes.rotate), rotation(cubes.rotate2), 1);
-    for (std::size_t n = 0; n < corners.size(); ++n) {
+    for (std::size_t n = 0; n < corners.size() / 2; ++n) {  // opposite corners, n and 7 - n, reach equally far
         if (!corners[n].outside) continue;
         a.options.push_back(static_cast<int>(n));
-        names += fmt::format("{}{}: {:.2f}", names.empty() ? "" : ", ", n, corners[n].reach);
+        names += fmt::format("{}{} and {} at {:.3f}", names.empty() ? "" : ", ", n, 7 - n, corners[n].reach);
     }
     a.sentence = a.options.empty() ? "No corner of the small cube has a coordinate beyond ±1."
                                    : fmt::format("Beyond ±1 in the big cube's frame: {}.", names);

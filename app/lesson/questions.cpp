@@ -50,8 +50,8 @@ constexpr std::array<Question, 20> kQuestions{{
      answers::ghost},
     {"visible-faces", "", Kind::number, "", "", false, "how many faces of the shape's solid show us their outside",
      answers::visible_faces},
-    {"cut-corners", "", Kind::many, "0|1|2|3|4|5|6|7", "", false,
-     "which corners of the small jelly cube lie outside the big one", answers::cut_corners},
+    {"cut-corners", "", Kind::many, "0 and 7|1 and 6|2 and 5|3 and 4", "", false,
+     "which pairs of opposite corners of the small jelly cube lie outside the big one", answers::cut_corners},
     {"cut-weight", "OUTSIDE INSIDE", Kind::number, "", "", false,
      "the weight of the end at OUTSIDE in the cut at 1; 0.01 either way", answers::cut_weight},
 }};

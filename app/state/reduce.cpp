@@ -14,6 +14,7 @@ namespace {
 constexpr std::string_view kAtEnd = "This is the last step.", kAtStart = "This is the first step.";
 constexpr std::string_view kNothing = "This scene draws nothing: there are no steps.";
 constexpr std::string_view kMoved = "That step is gone; this is the nearest one before it.";
+constexpr std::string_view kTurnedAway = "That face is drawn no longer; this is another of its solid.";
 constexpr std::string_view kLastBeat = "The lesson ends here. L opens the list of lessons.";
 constexpr std::string_view kConvex = "This method takes convex polygons: the corner stays where it would still be one.";
 constexpr std::string_view kSolid =
@@ -335,8 +336,12 @@ private:
             const int shapes = derived_.drawing().first_shape_of(found + 1) - first;
             s_.cursor.step.parts[0].index = first + std::clamp(part, 0, std::max(0, shapes - 1));
         }
-        settle(!same);
-        if (same && s_.cursor.step.parts.size() < before.parts.size()) s_.message = {std::string(kMoved)};
+        const Path there = s_.cursor.step;
+        settle(false);
+        if (!same)
+            s_.message = {std::string(found >= 0 ? kTurnedAway : kMoved)};
+        else if (s_.cursor.step != there)
+            s_.message = {std::string(kMoved)};
     }
     [[nodiscard]] Answer& reopened() {
         Answer& answer = answer_here(s_);

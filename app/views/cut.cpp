@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 6> kFaces{"+x", "−x", "+y", "−y", "+z
 constexpr std::array<std::string_view, 2> kCorners{"corners of the big cube", "corners of the small cube"};
 constexpr std::string_view kCutOff = "{}, face {}: beyond {}", kKept = "{}, face {}: inside";
 constexpr std::string_view kNoCut = "None of its corners is a cut.";
-constexpr std::string_view kCutsAre = "cut = weight · end outside + weight · end inside";
+constexpr std::string_view kCutsAre = "weight · outside + weight · inside";
 constexpr std::string_view kRatio = "small / big",
                            kRatioTip = "The small cube's size over the big one's. Or hold O and press − or =";
 constexpr std::array<std::string_view, 4> kRegimes{
@@ -190,14 +190,20 @@ private:
     [[nodiscard]] glm::vec2 corners_size() const {
         const float wide = ui_.px(34) + 3 * (coordinate_width() + ui_.px(6));
         const float named = ui::text_width(ui_.font(Face::count), kCorners[static_cast<std::size_t>(guest_)]);
-        return {std::ceil(std::max(wide, named)) + 1, title_height() + 8 * corner_row()};
+        return {std::ceil(std::max(wide, named)) + 1, title_height() + 9 * corner_row()};
     }
     void draw_corners(const Area& place) {
         title(place, kCorners[static_cast<std::size_t>(guest_)]);
         const float row = corner_row(), wide = coordinate_width() + ui_.px(6);
+        const float heads = ui::baseline_at_middle(ui_.font(Face::count), place.y + title_height() + row / 2);
+        for (int axis = 0; axis < 3; ++axis) {
+            const float right = place.x + ui_.px(30) + wide * static_cast<float>(axis + 1);
+            if (right <= place.right() + 1)
+                ui_.text_right(Face::count, {right, heads}, Role::muted, std::string(1, "xyz"[axis]));
+        }
         for (std::size_t n = 0; n < corners_.size(); ++n) {
             const JellyCorner& corner = corners_[n];
-            const Area line{place.x, place.y + title_height() + static_cast<float>(n) * row, place.w, row};
+            const Area line{place.x, place.y + title_height() + static_cast<float>(n + 1) * row, place.w, row};
             const float base = ui::baseline_at_middle(ui_.font(Face::code_note), line.centre().y);
             const bool out = corner.outside && !hidden_;
             const float side = ui_.px(8);
@@ -252,7 +258,7 @@ private:
         const std::vector<std::string> lines = cut_lines();
         float width = ui::text_width(ui_.font(Face::title), piece_title());
         const std::string_view hint = lines.empty() ? kNoCut : kCutsAre;
-        width = std::max(width, std::min(area_.w / 3, ui::text_width(ui_.font(Face::count), hint)));
+        width = std::max(width, std::min(area_.w / 2, ui::text_width(ui_.font(Face::count), hint)));
         for (const std::string& line : lines)
             width = std::max(width, ui::text_width(ui_.font(Face::line_number), line));
         const float row = pitch(ui_, 18, Face::line_number), head = pitch(ui_, 18, Face::title);

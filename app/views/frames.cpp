@@ -16,7 +16,7 @@ using ui::Area;
 using ui::Face;
 using ui::Role;
 
-constexpr std::string_view kTitle = "Frames", kNote = "{} of {}";
+constexpr std::string_view kTitle = "Frames", kNote = "frame {} of {}";
 constexpr std::string_view kStill = "No texture of this scene moves.";
 constexpr std::string_view kFrameTip = "Frame {}: a click puts it into the texture's array";
 constexpr std::string_view kRun = "Run", kRunTip = "Run through the frames (F)", kStop = "Stop",
@@ -47,7 +47,7 @@ public:
         for (int n = 0; n < count; ++n) {
             const auto column = static_cast<float>(n % in_row), row = static_cast<float>(n / in_row);
             draw_frame(n,
-                       {inner.x + ui_.px(3) + column * (side + gap), inner.y + gap + row * (side + note), side, side},
+                       {inner.x + ui_.px(5) + column * (side + gap), inner.y + gap + row * (side + note), side, side},
                        note);
         }
         draw_controls(inner, inner.y + static_cast<float>(rows) * (side + note) + 2 * gap, high, gap);

@@ -185,19 +185,19 @@ private:
         const auto wide = [&](Face face, std::string_view text) {
             return std::ceil(ui::text_width(ui_.font(face), text));
         };
-        const float gap = ui_.px(10);
+        const float gap = ui_.px(8);
         Columns c;
         c.number = ui_.px(22) + wide(Face::code, "88");
-        c.area = c.number + gap + std::max(wide(Face::code, "−8888.88"), wide(Face::count, kSigns));
+        c.area = c.number + gap + std::max(wide(Face::code, "−8888.8"), wide(Face::count, kSigns));
         c.light = c.area + gap + std::max(wide(Face::code, "0.88"), wide(Face::count, kLight));
         c.order = c.light + gap + std::max(wide(Face::code, "88"), wide(Face::count, kOrder));
-        c.all = c.order + ui_.px(6);
+        c.all = c.order + ui_.px(4);
         return c;
     }
 
     float draw_faces(const Area& inner, float y) {
         const Columns c = columns();
-        const float row = pitch(ui_, 20, Face::code), head = pitch(ui_, 15, Face::count), gap = ui_.px(14);
+        const float row = pitch(ui_, 20, Face::code), head = pitch(ui_, 15, Face::count), gap = ui_.px(12);
         const auto count = static_cast<int>(faces_.size());
         const int blocks =
             std::clamp(static_cast<int>((inner.w + gap) / (c.all + gap)), 1, std::max(1, (count + 5) / 6));
@@ -253,7 +253,7 @@ private:
         if (front) ui::fill(ui_.list(), {std::round(x - 1), std::round(y - arm), 2, 2 * arm}, mark);
     }
     [[nodiscard]] static std::string signed_text(double area) {
-        const std::string text = fmt::format("{:.2f}", std::fabs(area));
+        const std::string text = fmt::format("{:.1f}", std::fabs(area));
         return (area > 0 ? "+" : area < 0 ? "−" : "") + text;
     }
 
