@@ -38,5 +38,9 @@ namespace texelscope::answers {
 [[nodiscard]] Accepted double_row(const Asked& asked);
 [[nodiscard]] Accepted first_flip(const Asked& asked);
 [[nodiscard]] Accepted weights_at(const Asked& asked);
+// Solids (answers_solids.cpp).
+[[nodiscard]] Accepted visible_faces(const Asked& asked);
+[[nodiscard]] Accepted cut_corners(const Asked& asked);
+[[nodiscard]] Accepted cut_weight(const Asked& asked);
 
 }  // namespace texelscope::answers

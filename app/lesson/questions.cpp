@@ -59,6 +59,12 @@ constexpr auto kQuestions = std::to_array<Question>({
      answers::first_flip},
     {"weights-at", "E0 E1 E2", Kind::pixel, "", "barycentric", false, "a pixel with these weights, or next to it",
      answers::weights_at},
+    {"visible-faces", "", Kind::number, "", "", false, "how many faces of the shape's solid show us their outside",
+     answers::visible_faces},
+    {"cut-corners", "", Kind::many, "0 and 7|1 and 6|2 and 5|3 and 4", "", false,
+     "which pairs of opposite corners of the small jelly cube lie outside the big one", answers::cut_corners},
+    {"cut-weight", "OUTSIDE INSIDE", Kind::number, "", "", false,
+     "the weight of the end at OUTSIDE in the cut at 1; 0.01 either way", answers::cut_weight},
 });
 
 constexpr std::string_view kPlaces = "Mark it first: point, or move there with I and the arrows.";
@@ -96,7 +102,8 @@ constexpr std::string_view kChoose = "Choose first.", kType = "Type a number fir
         return call.words.emplace_back(word), std::string{};
     }
     const auto number = typed_number(word);
-    const bool real = token == "FROM" || token == "TO" || token == "V" || token[0] == 'E';
+    constexpr std::array<std::string_view, 8> kReal{"FROM", "TO", "V", "E0", "E1", "E2", "OUTSIDE", "INSIDE"};
+    const bool real = std::find(kReal.begin(), kReal.end(), token) != kReal.end();
     constexpr double kFarthest = 1e9;
     if (!number || std::abs(*number) > kFarthest) return fmt::format("a number for {}", token);
     if (!real && *number != std::floor(*number)) return fmt::format("a whole number for {}", token);

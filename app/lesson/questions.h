@@ -52,8 +52,9 @@ struct Asked {
 
 struct Question {
     std::string_view name;
-    /// Its arguments: NAME and FIELD are words, FROM, TO and V numbers, others whole numbers; "?" behind one: may be
-    /// left out.
+    /// Its arguments: NAME and FIELD are words, FROM, TO, V, OUTSIDE, INSIDE and E0 to E2 numbers, others whole
+    /// numbers;
+    /// "?" behind one: may be left out.
     std::string_view form;
     Prediction::Kind kind = Prediction::Kind::choice;
     std::string_view options;  ///< what the options stand for, in order, divided by "|"; empty where there are none

@@ -51,7 +51,8 @@ private:
         const Method& method = *find_method(lesson().method);
         const auto check = [&](const std::vector<std::string>& views, const KeyLines& lines) {
             for (const std::string& view : views) {
-                if (const std::string what = view_fault(view, method); !what.empty()) fault(lines.of("views"), what);
+                for (const std::string& what : {view_fault(view, method), view_fault(view, document_->scene)})
+                    if (!what.empty()) fault(lines.of("views"), what);
             }
         };
         check(lesson().views, lesson().lines);

@@ -31,6 +31,20 @@ constexpr auto kSpecials = std::to_array<Special>({
     {"weights", "barycentric"},
 });
 
+/// Views that show a part of the scene that not every scene has.
+struct Needed {
+    std::string_view view, what;
+    bool (*has)(const Scene&);
+};
+[[nodiscard]] bool has_jelly_cubes(const Scene& scene) {
+    return std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                       [](const MeshPlacement& mesh) { return mesh.shape == Shape3d::jelly_cubes; });
+}
+constexpr std::array<Needed, 3> kNeeded{
+    {{"solids", "a solid", [](const Scene& s) { return !s.meshes.empty(); }},
+     {"frames", "a texture with frames", [](const Scene& s) { return !s.animations.empty(); }},
+     {"cut", "jelly cubes", has_jelly_cubes}}};
+
 class BeatChecker {
 public:
     explicit BeatChecker(Store& store)
@@ -132,6 +146,13 @@ std::string view_fault(std::string_view view, const Method& method) {
     }
     if (methods.empty()) return {};
     return fmt::format("views has '{}', which is for {}, but the lesson's method is {}", view, methods, method.id);
+}
+
+std::string view_fault(std::string_view view, const Scene& scene) {
+    const auto needed =
+        std::find_if(kNeeded.begin(), kNeeded.end(), [view](const Needed& n) { return n.view == view; });
+    if (needed == kNeeded.end() || needed->has(scene)) return {};
+    return fmt::format("views has '{}', which needs {}, but the scene has none", view, needed->what);
 }
 
 }  // namespace texelscope

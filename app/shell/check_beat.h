@@ -18,5 +18,7 @@ struct BeatFault {
 
 /// Why a lesson of this method cannot show the view; empty where it can.
 [[nodiscard]] std::string view_fault(std::string_view view, const Method& method);
+/// Why it cannot in this scene; empty where it can.
+[[nodiscard]] std::string view_fault(std::string_view view, const Scene& scene);
 
 }  // namespace texelscope

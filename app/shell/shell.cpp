@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kPollEvery = 0.25;  ///< files of the open document are looked at this often [s]
 constexpr double kShowAgain = 0.15;  ///< frames go on for so long after new type was baked [s]
+constexpr int kFramesGesture = -2;   ///< frames that follow one another are one entry for undo
 constexpr std::string_view kCopied = "The state is in the clipboard, as one line.";
 constexpr std::string_view kNothingToPaste = "The clipboard holds no Texelscope state.";
 constexpr std::string_view kDropHint = "Drop a scene, a lesson or an image on the window to open it.";
@@ -190,20 +191,21 @@ bool Shell::poll() {
     return true;
 }
 
+double Shell::due(double now, double rate, double next, const Action& action) {
+    if (next <= 0 || next > now + 2) next = now + 1 / rate;
+    if (now < next) return next;
+    store_.dispatch(action);
+    return std::max(next + 1 / rate, now);
+}
+
 void Shell::keep_time(const ui::Input& input, bool animated) {
     if (animated) host_.wants_frames_until(input.time + 0.15);
-    if (state().playing) {
-        if (next_step_ <= 0 || next_step_ > input.time + 2)
-            next_step_ = input.time + 1 / static_cast<double>(state().look.speed);
-        if (input.time >= next_step_) {
-            store_.dispatch(action::Step{1});
-            next_step_ += 1 / static_cast<double>(state().look.speed);
-            next_step_ = std::max(next_step_, input.time);
-        }
-        host_.wake_at(next_step_);
-    } else {
-        next_step_ = 0;
-    }
+    next_step_ = state().playing ? due(input.time, double{state().look.speed}, next_step_, action::Step{1}) : 0;
+    const action::SetFrame next_frame{state().work.frame + 1, kFramesGesture};
+    next_frame_ = state().moving ? due(input.time, double{state().look.frame_rate}, next_frame_, next_frame) : 0;
+    const double next =
+        next_step_ > 0 && next_frame_ > 0 ? std::min(next_step_, next_frame_) : next_step_ + next_frame_;
+    if (next > 0) host_.wake_at(next);
     host_.poll_every(state().document && !state().document->files.empty() ? kPollEvery : 0);
     const std::string title =
         (state().document && state().document->lesson ? state().document->lesson->title : short_name(state())) +

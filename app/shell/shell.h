@@ -46,6 +46,8 @@ private:
     void save(const std::string& suffix, const std::string& bytes);
     void keep_time(const ui::Input& input, bool animated);
     void say(std::string text, bool error);
+    /// Dispatches `action` if it is due, which it is `rate` times a second. @return when it is next [s].
+    [[nodiscard]] double due(double now, double rate, double next, const Action& action);
     void remember_times();
 
     Host& host_;
@@ -58,7 +60,8 @@ private:
     std::string font_error_;
     glm::vec2 window_{1280, 720};  ///< of the last frame: while presenting type follows it
     std::vector<std::filesystem::file_time_type> times_;
-    double next_step_ = 0;  ///< while playing [s]
+    double next_step_ = 0;   ///< while playing [s]
+    double next_frame_ = 0;  ///< while textures move [s]
     std::string title_;
 };
 

@@ -61,6 +61,34 @@ struct MoveVertex {
 struct ChooseHandle {
     Handle handle;
 };
+struct Turn {
+    Turning what;
+    int axis = 0;        ///< of the world [0, 2]
+    double degrees = 0;  ///< in the sense of core/geometry/camera.h
+    int gesture = 0;     ///< as of MoveVertex
+};
+struct ChooseTurning {
+    Turning what;
+};
+struct SetRatio {
+    int mesh = 0;
+    float ratio = 1;  ///< of jelly cubes
+    int gesture = 0;
+};
+struct SetFocal {
+    float focal = 0;  ///< [px]
+    int gesture = 0;
+};
+struct SetFrame {
+    int frame = 0;  ///< of textures that move; wraps
+    int gesture = 0;
+};
+struct PlayFrames {
+    bool on;
+};
+struct FrameRate {
+    float factor;
+};
 struct SetFormat {
     NumberFormat format;
 };
@@ -125,9 +153,10 @@ using Action =
     std::variant<action::Open, action::Reload, action::Say, action::Step, action::StepTo, action::StepEnd,
                  action::Advance, action::SetLevel, action::Finer, action::StepIn, action::FinishUnit, action::Play,
                  action::Speed, action::ToggleBookmark, action::GoToBookmark, action::MoveVertex, action::ChooseHandle,
-                 action::SetFormat, action::SetMode, action::SetVariant, action::SetQuirk, action::SetMethod,
-                 action::SetTexture, action::Choose, action::Type, action::Point, action::Check, action::Skip,
-                 action::Hover, action::Pin, action::SetLook, action::Show, action::ChooseLesson, action::Escape,
-                 action::Undo, action::Redo, action::Reset, action::Restore>;
+                 action::Turn, action::ChooseTurning, action::SetRatio, action::SetFocal, action::SetFrame,
+                 action::PlayFrames, action::FrameRate, action::SetFormat, action::SetMode, action::SetVariant,
+                 action::SetQuirk, action::SetMethod, action::SetTexture, action::Choose, action::Type, action::Point,
+                 action::Check, action::Skip, action::Hover, action::Pin, action::SetLook, action::Show,
+                 action::ChooseLesson, action::Escape, action::Undo, action::Redo, action::Reset, action::Restore>;
 
 }  // namespace texelscope

@@ -14,6 +14,12 @@ namespace {
     return {method != nullptr ? method : &default_method(), work.format, work.quirks, work.mode};
 }
 
+/// The works make the same scene of a document.
+[[nodiscard]] bool same_scene(const Work& a, const Work& b) {
+    return a.edits == b.edits && a.meshes == b.meshes && a.focal == b.focal && a.frame == b.frame &&
+           a.texture == b.texture;
+}
+
 [[nodiscard]] bool trivial(Op op) { return op == Op::input || op == Op::constant || op == Op::same; }
 
 /// The expression that tells most of a unit: the last one that computes a number with a fraction, else anything.
@@ -47,13 +53,15 @@ Derived::~Derived() = default;
 
 void Derived::update(const State& state) {
     Cache& c = *cache_;
-    const bool scene_same = c.scene && c.state.document == state.document && c.state.work.edits == state.work.edits &&
-                            c.state.work.texture == state.work.texture;
+    const bool scene_same = c.scene && c.state.document == state.document && same_scene(c.state.work, state.work);
     const bool drawing_same = scene_same && c.drawing && c.drawing->settings() == settings_of(state.work);
     const bool step_same = drawing_same && c.state.cursor == state.cursor && c.state.pinned == state.pinned;
     c.state = state;
-    if (!scene_same)
-        c.scene = std::make_unique<Scene>(state.document ? edited_scene(*state.document, state.work) : Scene{});
+    if (!scene_same) {
+        c.faces.clear(), c.jelly.reset();
+        c.scene =
+            std::make_unique<Scene>(state.document ? edited_scene(*state.document, state.work, &c.faces) : Scene{});
+    }
     if (!drawing_same) {
         const DrawSettings settings = settings_of(state.work);
         if (!c.drawing || c.drawing->settings().method != settings.method)

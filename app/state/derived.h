@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "app/state/state.h"
+#include "core/geometry/jelly_cubes.h"
 #include "core/image/rgba.h"
 #include "core/method/steps.h"
+#include "core/scene/place.h"
 #include "core/trace/listing.h"
 
 namespace texelscope {
@@ -139,6 +141,12 @@ struct MethodCost {
     [[nodiscard]] OperationCount whole() const { return setup + lines * line + pixels * pixel; }
 };
 
+/// Frames of the textures that move.
+struct FrameStrip {
+    int count = 0, current = 0;  ///< of the first of them; count 0: nothing moves
+    int texture = -1;            ///< index into Scene::textures
+};
+
 /// A shape that is not drawn, or a number that has no value: said in words at its place.
 struct Notice {
     int shape = 0;
@@ -198,6 +206,14 @@ public:
     /// The texel that the current pixel reads, once the cursor has come so far.
     [[nodiscard]] std::optional<glm::ivec2> texel() const;
 
+    /// Every face of every mesh, mesh by mesh, with its polygon in scene() where it has one.
+    [[nodiscard]] const std::vector<PlacedFace>& faces() const;
+    /// What keys turn: the state's choice, else the mesh of the cursor's shape, else the first; no mesh: none there.
+    [[nodiscard]] Turning turning() const;
+    /// The mesh of jelly cubes that turning() is about, cut; null where it is another solid.
+    [[nodiscard]] const JellyCubes* jelly() const;
+    [[nodiscard]] FrameStrip frames() const;
+
     [[nodiscard]] const Image& final_picture() const;
     [[nodiscard]] const CanvasPicture& canvas(const Window& window) const;
     /// How often the whole drawing writes each cell of the window, up to 255.
@@ -239,7 +255,8 @@ private:
 };
 
 /// The scene with a state's edits and texture.
-[[nodiscard]] Scene edited_scene(const Document& document, const Work& work);
+/// @param faces  takes every face of every mesh; may be null.
+[[nodiscard]] Scene edited_scene(const Document& document, const Work& work, std::vector<PlacedFace>* faces = nullptr);
 /// Where a handle stands in the edited scene.
 [[nodiscard]] glm::vec2 position_of(const Scene& scene, const Handle& handle);
 

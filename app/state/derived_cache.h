@@ -14,6 +14,13 @@ namespace texelscope {
 struct Derived::Cache {
     State state;
     std::unique_ptr<Scene> scene;
+    std::vector<PlacedFace> faces;
+    /// Of a mesh of the scene, made when first asked for.
+    struct Jelly {
+        int mesh = -1;
+        JellyCubes cubes;
+    };
+    std::optional<Jelly> jelly;
     std::unique_ptr<Drawing> drawing;
     std::unique_ptr<Steps> steps;
     Listing listing;

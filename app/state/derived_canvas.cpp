@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/state/derived_cache.h"
+#include "core/method/blend.h"
 
 namespace texelscope {
 namespace {
@@ -43,7 +44,7 @@ const CanvasPicture& Derived::canvas(const Window& wanted) const {
             CanvasCell& cell = canvas->cells.at(at.x, at.y);
             cell.visited = true;
             if (s.fate != Fate::written) return;
-            cell.now = s.colour;
+            cell.now = blended(cell.now, s.colour, drawing().is_half(n));
             cell.written = true;
         });
     }

@@ -1,15 +1,34 @@
 #include "app/state/derived.h"
 
 namespace texelscope {
+namespace {
 
-Scene edited_scene(const Document& document, const Work& work) {
+void apply(const MeshEdit& edit, Scene& scene) {
+    if (edit.mesh < 0 || edit.mesh >= static_cast<int>(scene.meshes.size())) return;
+    MeshPlacement& mesh = scene.meshes[static_cast<std::size_t>(edit.mesh)];
+    mesh.rotate = edit.rotate, mesh.rotate2 = edit.rotate2, mesh.ratio = edit.ratio;
+}
+
+void apply(const VertexEdit& edit, Scene& scene) {
+    if (edit.polygon < 0 || edit.polygon >= static_cast<int>(scene.polygons.size())) return;
+    Polygon& polygon = scene.polygons[static_cast<std::size_t>(edit.polygon)];
+    const bool own = polygon.mesh < 0;  // a mesh's polygons change their places
+    if (own && edit.vertex >= 0 && edit.vertex < static_cast<int>(polygon.vertices.size()))
+        polygon.vertices[static_cast<std::size_t>(edit.vertex)] = edit.value;
+}
+
+}  // namespace
+
+Scene edited_scene(const Document& document, const Work& work, std::vector<PlacedFace>* faces) {
     Scene scene = document.scene;
-    for (const VertexEdit& edit : work.edits) {
-        if (edit.polygon < 0 || edit.polygon >= static_cast<int>(scene.polygons.size())) continue;
-        auto& vertices = scene.polygons[static_cast<std::size_t>(edit.polygon)].vertices;
-        if (edit.vertex < 0 || edit.vertex >= static_cast<int>(vertices.size())) continue;
-        vertices[static_cast<std::size_t>(edit.vertex)] = edit.value;
+    for (const MeshEdit& edit : work.meshes) apply(edit, scene);
+    if (work.focal > 0) scene.camera.focal = work.focal;
+    if (!scene.meshes.empty() && (faces != nullptr || !work.meshes.empty() || work.focal > 0)) {
+        std::vector<PlacedFace> placed = place_meshes(scene);
+        if (faces != nullptr) *faces = std::move(placed);
     }
+    for (const VertexEdit& edit : work.edits) apply(edit, scene);
+    if (work.frame != 0) show_frame(scene, work.frame);
     if (work.texture && !scene.textures.empty()) scene.textures.front() = work.texture;
     return scene;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "app/state/lesson_table.h"
@@ -31,6 +32,7 @@ constexpr std::array kBindings{
     Binding{{Key::m}, Command::bookmark},
     Binding{{Key::left, true}, Command::previous_bookmark}, Binding{{Key::right, true}, Command::next_bookmark},
     Binding{{Key::v}, Command::move_vertex}, Binding{{Key::i}, Command::inspect_pixel},
+    Binding{{Key::o}, Command::turn_solid}, Binding{{Key::f}, Command::move_texture},
     Binding{{Key::h}, Command::hits}, Binding{{Key::x}, Command::variant}, Binding{{Key::c}, Command::plain_code},
     Binding{{Key::p}, Command::predict},
     Binding{{Key::z, true}, Command::undo}, Binding{{Key::y, true}, Command::redo}, Binding{{Key::z, true, true}, Command::redo},
@@ -60,6 +62,10 @@ constexpr std::array kHelp{
     KeyHelp{"Steps", "Ctrl+← →", "the bookmark before, the next one"},
     KeyHelp{"Look and change", "V + arrows", "move a corner; Shift 1/16 px, Ctrl 8 px"},
     KeyHelp{"Look and change", "V + 1 to 9", "choose the corner"},
+    KeyHelp{"Look and change", "O + arrows A Z", "turn a solid by 5°; Shift 1°, Ctrl 15°"},
+    KeyHelp{"Look and change", "O + 1 to 9", "choose the solid"},
+    KeyHelp{"Look and change", "O + − =", "the camera's focal length, a jelly cube's size"},
+    KeyHelp{"Look and change", "F", "move textures, or stop them"},
     KeyHelp{"Look and change", "I + arrows", "inspect a pixel; Ctrl 8 px"},
     KeyHelp{"Look and change", "H", "how often each pixel was written"},
     KeyHelp{"Look and change", "X", "as printed or corrected"},
@@ -81,6 +87,7 @@ constexpr std::array kHelp{
 };
 // clang-format on
 
+constexpr std::string_view kNoSolid = "This scene has no solid to turn.", kStill = "No texture of this scene moves.";
 constexpr float kLeastScale = 1, kMostScale = 2.5F;
 constexpr std::array kScales{1.0F, 1.25F, 1.5F, 2.0F, 2.5F};
 constexpr int kRepeatGesture = -1;  ///< moves by a held key are one entry for undo
@@ -127,11 +134,12 @@ private:
                (place == KeyPlace::presenting && state_.look.presenting);
     }
 
-    /// V or I held with an arrow or a number.
+    /// V, O or I held with an arrow or a number.
     bool read_held(const ui::KeyPress& press) {
         if (!state_.look.letter_keys || state_.overlay == Overlay::lessons) return false;
         const glm::ivec2 way{(press.key == Key::right) - (press.key == Key::left),
                              (press.key == Key::down) - (press.key == Key::up)};
+        if (held(Key::o) && read_turn(press, way)) return true;
         if (held(Key::v) && press.key >= Key::n1 && press.key <= Key::n9) {
             choose_corner(static_cast<int>(press.key) - static_cast<int>(Key::n1));
             return true;
@@ -162,6 +170,46 @@ private:
         const float length = press.shift ? 1.0F / 16 : press.ctrl ? 8.0F : 1.0F;
         const glm::vec2 to = position_of(derived_.scene(), handle) + length * glm::vec2(way);
         act(action::MoveVertex{handle, to, press.repeat ? kRepeatGesture : 0});
+    }
+    /// The solids that there are to turn, in order: of jelly cubes each.
+    [[nodiscard]] std::vector<Turning> turnings() const {
+        std::vector<Turning> all;
+        const auto& meshes = derived_.scene().meshes;
+        for (int n = 0; n < static_cast<int>(meshes.size()); ++n) {
+            all.push_back({n});
+            if (meshes[static_cast<std::size_t>(n)].shape == Shape3d::jelly_cubes) all.push_back({n, true});
+        }
+        return all;
+    }
+    /// O held: the front of the solid goes where the arrow points, A and Z turn it on the screen.
+    bool read_turn(const ui::KeyPress& press, glm::ivec2 way) {
+        const Turning what = derived_.turning();
+        if (what.mesh < 0) return false;
+        if (press.key >= Key::n1 && press.key <= Key::n9) {
+            const std::vector<Turning> all = turnings();
+            const auto n = static_cast<std::size_t>(press.key) - static_cast<std::size_t>(Key::n1);
+            if (n < all.size()) act(action::ChooseTurning{all[n]});
+            return true;
+        }
+        const int gesture = press.repeat ? kRepeatGesture : 0;
+        const double degrees = press.shift ? 1 : press.ctrl ? 15 : 5;
+        if (way.x != 0) return act(action::Turn{what, 1, -degrees * way.x, gesture}), true;
+        if (way.y != 0) return act(action::Turn{what, 0, degrees * way.y, gesture}), true;
+        const int spin = (press.key == Key::z) - (press.key == Key::a);
+        if (spin != 0) return act(action::Turn{what, 2, degrees * spin, gesture}), true;
+        const int size = (press.key == Key::equal) - (press.key == Key::minus);
+        if (size != 0) return resize(what, size, gesture), true;
+        return false;
+    }
+    void resize(const Turning& what, int way, int gesture) {
+        const MeshPlacement& mesh = derived_.scene().meshes[static_cast<std::size_t>(what.mesh)];
+        constexpr float kRatioStep = 0.01F, kFocalFactor = 1.0625F;
+        if (mesh.shape == Shape3d::jelly_cubes) {
+            const float hundredths = std::round(mesh.ratio / kRatioStep) + static_cast<float>(way);
+            return act(action::SetRatio{what.mesh, hundredths * kRatioStep, gesture});
+        }
+        const auto focal = static_cast<float>(view_of(derived_.scene()).focal);
+        act(action::SetFocal{way > 0 ? focal * kFocalFactor : focal / kFocalFactor, gesture});
     }
     void move_pin(glm::ivec2 way) {
         const Rect frame = derived_.scene().framebuffer.rect();
@@ -243,6 +291,19 @@ private:
         switch (command) {
             case Command::move_vertex:
                 if (!press.repeat && state_.handle.polygon < 0) choose_corner(0);
+                return true;
+            case Command::turn_solid:
+                if (derived_.turning().mesh < 0)
+                    act(action::Say{{std::string(kNoSolid)}});
+                else if (!press.repeat)
+                    act(action::ChooseTurning{derived_.turning()});
+                return true;
+            case Command::move_texture:
+                if (press.repeat) return true;
+                if (derived_.frames().count == 0)
+                    act(action::Say{{std::string(kStill)}});
+                else
+                    act(action::PlayFrames{!state_.moving});
                 return true;
             case Command::inspect_pixel:
                 if (!press.repeat && state_.pinned.kind != Selection::Kind::pixel) move_pin({0, 0});

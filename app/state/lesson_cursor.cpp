@@ -52,6 +52,7 @@ void apply(State& state, const BeatSettings& set, std::optional<Path>& step) {
     }
     state.pinned = set.pin ? pin_from(*set.pin, method) : Selection{};
     state.playing = set.play.value_or(false);
+    state.moving = false;
     if (set.hits) state.look.hits = *set.hits;
 }
 

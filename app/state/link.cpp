@@ -108,6 +108,25 @@ template <class T>
     return true;
 }
 
+/// "mesh,x,y,z", of jelly cubes with ",x,y,z,ratio" behind it.
+[[nodiscard]] bool read_mesh(std::string_view text, MeshEdit& edit) {
+    const auto parts = split(text, ',');
+    if ((parts.size() != 4 && parts.size() != 8) || !read(parts[0], edit.mesh)) return false;
+    const auto read_three = [&](std::size_t first, glm::vec3& three) {
+        return read_float(parts[first], three.x) && read_float(parts[first + 1], three.y) &&
+               read_float(parts[first + 2], three.z);
+    };
+    if (!read_three(1, edit.rotate)) return false;
+    return parts.size() == 4 || (read_three(4, edit.rotate2) && read_float(parts[7], edit.ratio) && edit.ratio > 0);
+}
+
+[[nodiscard]] std::string print_mesh(const MeshEdit& edit) {
+    const auto three = [](const glm::vec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
+    std::string text = fmt::format(";r={},{}", edit.mesh, three(edit.rotate));
+    if (MeshEdit{edit.mesh, edit.rotate} != edit) text += fmt::format(",{},{}", three(edit.rotate2), edit.ratio);
+    return text;
+}
+
 [[nodiscard]] bool read_edit(std::string_view text, VertexEdit& edit) {
     const auto parts = split(text, ',');
     if (parts.size() != 8) return false;
@@ -147,6 +166,9 @@ template <class T>
         return true;
     }
     if (key == "e") return read_edit(value, work.edits.emplace_back());
+    if (key == "r") return read_mesh(value, work.meshes.emplace_back());
+    if (key == "c") return read_float(value, work.focal) && work.focal >= 0;
+    if (key == "f") return read(value, work.frame) && work.frame >= 0;
     if (key == "a") return read_answer(value, work.answers.emplace_back());
     if (key == "t") {
         const auto file = unescaped(value);
@@ -178,6 +200,9 @@ std::string print_link(const State& state) {
         const Vertex& v = e.value;
         text += fmt::format(";e={},{},{},{},{},{},{},{}", e.polygon, e.vertex, v.x, v.y, v.z, v.w, v.u, v.v);
     }
+    for (const MeshEdit& e : w.meshes) text += print_mesh(e);
+    if (w.focal > 0) text += fmt::format(";c={}", w.focal);
+    if (w.frame != 0) text += fmt::format(";f={}", w.frame);
     for (const Answer& a : w.answers) text += ";" + print_answer(a);
     if (!w.texture_file.empty()) text += ";t=" + escaped(w.texture_file);
     return with_checksum(text);

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "app/lesson/questions.h"
 #include "app/state/lesson_cursor.h"
 #include "app/state/store.h"
 #include "core/geometry/polygon.h"
+#include "core/image/wrap.h"
 
 namespace texelscope {
 namespace {
@@ -12,9 +14,16 @@ namespace {
 constexpr std::string_view kAtEnd = "This is the last step.", kAtStart = "This is the first step.";
 constexpr std::string_view kNothing = "This scene draws nothing: there are no steps.";
 constexpr std::string_view kMoved = "That step is gone; this is the nearest one before it.";
+constexpr std::string_view kTurnedAway = "That face is drawn no longer; this is another of its solid.";
 constexpr std::string_view kLastBeat = "The lesson ends here. L opens the list of lessons.";
 constexpr std::string_view kConvex = "This method takes convex polygons: the corner stays where it would still be one.";
-constexpr float kFarthest = 1e6F;  ///< a corner is kept within this of the origin [px]
+constexpr std::string_view kSolid =
+    "A solid's corners move with it: hold O and press arrows, or drag with the right button.";
+constexpr float kLeastRatio = 0.05F, kMostRatio = 4;    ///< of jelly cubes
+constexpr float kLeastFocal = 1, kMostFocal = 1 << 16;  ///< [px]
+constexpr std::int64_t kLongestPeriod = 1 << 20;        ///< of all textures that move together [frames]
+constexpr double kMostDegrees = 360;                    ///< of one turn
+constexpr float kFarthest = 1e6F;                       ///< a corner is kept within this of the origin [px]
 
 /// The step and the level that a lesson's beats up to this one ask for.
 [[nodiscard]] std::pair<Path, Level> step_asked(const State& state, int beat) {
@@ -107,6 +116,10 @@ public:
         const auto& vertices = polygons[static_cast<std::size_t>(polygon)].vertices;
         if (vertex < 0 || vertex >= static_cast<int>(vertices.size())) return;
         if (!std::isfinite(a.to.x) || !std::isfinite(a.to.y)) return;
+        if (polygons[static_cast<std::size_t>(polygon)].mesh >= 0) {
+            s_.message = {std::string(kSolid)};
+            return;
+        }
         Vertex value = vertices[static_cast<std::size_t>(vertex)];
         const float x = std::clamp(a.to.x, -kFarthest, kFarthest), y = std::clamp(a.to.y, -kFarthest, kFarthest);
         if (texture)
@@ -129,6 +142,38 @@ public:
         settle();
     }
     void operator()(const action::ChooseHandle& a) { s_.handle = a.handle; }
+    void operator()(const action::Turn& a) {
+        MeshEdit* edit = edit_of(a.what.mesh);
+        if (edit == nullptr || a.axis < 0 || a.axis > 2 || !std::isfinite(a.degrees)) return;
+        glm::vec3& angles = a.what.small ? edit->rotate2 : edit->rotate;
+        angles = turned_angles(angles, a.axis, std::clamp(a.degrees, -kMostDegrees, kMostDegrees));
+        s_.turning = a.what;
+        settle_faces();
+    }
+    void operator()(const action::ChooseTurning& a) { s_.turning = a.what; }
+    void operator()(const action::SetRatio& a) {
+        MeshEdit* edit = edit_of(a.mesh);
+        if (edit == nullptr || !std::isfinite(a.ratio)) return;
+        edit->ratio = std::clamp(a.ratio, kLeastRatio, kMostRatio);
+        settle_faces();
+    }
+    void operator()(const action::SetFocal& a) {
+        if (!std::isfinite(a.focal)) return;
+        s_.work.focal = std::clamp(a.focal, kLeastFocal, kMostFocal);
+        settle_faces();
+    }
+    void operator()(const action::SetFrame& a) {
+        std::int64_t period = 1;
+        for (const Animation& animation : derived_.scene().animations)
+            period = std::min<std::int64_t>(kLongestPeriod,
+                                            std::lcm(period, std::max<std::int64_t>(1, std::ssize(animation.frames))));
+        s_.work.frame = static_cast<int>(euclidean_modulo(a.frame, period));
+        settle();
+    }
+    void operator()(const action::PlayFrames& a) { s_.moving = a.on && derived_.frames().count > 1; }
+    void operator()(const action::FrameRate& a) {
+        s_.look.frame_rate = std::clamp(s_.look.frame_rate * a.factor, 1.0F, 64.0F);
+    }
     void operator()(const action::SetFormat& a) { s_.work.format = a.format, settle(); }
     void operator()(const action::SetMode& a) { s_.work.mode = a.mode, settle(); }
     void operator()(const action::SetVariant& a) {
@@ -214,10 +259,10 @@ public:
             s_.look.blank = false;
         else if (s_.overlay != Overlay::none)
             s_.overlay = Overlay::none;
-        else if (s_.playing)
-            s_.playing = false;
+        else if (s_.playing || s_.moving)
+            s_.playing = s_.moving = false;
         else
-            s_.pinned = {}, s_.handle = {};
+            s_.pinned = {}, s_.handle = {}, s_.turning = {};
     }
 
     void operator()(const action::Undo&) {}
@@ -225,6 +270,7 @@ public:
     void operator()(const action::Reset&) {
         const State fresh = opened(s_.document, s_);
         s_.work = fresh.work, s_.cursor = fresh.cursor, s_.pinned = fresh.pinned, s_.handle = {};
+        s_.turning = {}, s_.moving = false;
     }
     void operator()(const action::Restore& a) {
         s_.work = a.work, s_.cursor = a.cursor;
@@ -250,6 +296,52 @@ private:
         const Path before = s_.cursor.step;
         s_.cursor.step = derived_.steps().nearest(before, s_.cursor.level).value_or(Path{});
         if (tell && s_.cursor.step != before && !before.empty()) s_.message = {std::string(kMoved)};
+    }
+    /// The edit of a mesh, made where there is none yet; null where there is no such mesh, or one with numbers that
+    /// cannot be turned.
+    [[nodiscard]] MeshEdit* edit_of(int mesh) {
+        const auto& meshes = derived_.scene().meshes;
+        if (mesh < 0 || mesh >= static_cast<int>(meshes.size())) return nullptr;
+        const MeshPlacement& placed = meshes[static_cast<std::size_t>(mesh)];
+        for (const glm::vec3& angles : {placed.rotate, placed.rotate2})
+            for (int axis = 0; axis < 3; ++axis)
+                if (!std::isfinite(angles[axis])) return nullptr;
+        auto& edits = s_.work.meshes;
+        const auto place = std::lower_bound(edits.begin(), edits.end(), mesh,
+                                            [](const MeshEdit& e, int wanted) { return e.mesh < wanted; });
+        if (place != edits.end() && place->mesh == mesh) return &*place;
+        return &*edits.insert(place, {mesh, placed.rotate, placed.rotate2, placed.ratio});
+    }
+    /// After polygons of meshes were made anew: the same face, row and pixel where they still exist. Where the face is
+    /// no longer drawn the nearest one of its mesh in drawing order.
+    void settle_faces() {
+        const Path before = s_.cursor.step;
+        const int shape = derived_.shape();
+        if (before.empty() || shape < 0) return settle();
+        const int polygon = derived_.drawing().polygon_of(shape);
+        const Polygon old = derived_.scene().polygons[static_cast<std::size_t>(polygon)];
+        const int part = shape - derived_.drawing().first_shape_of(polygon);
+        derived_.update(s_);
+        const auto& now = derived_.scene().polygons;
+        int found = -1;
+        bool same = old.mesh < 0;
+        for (int n = 0; n < static_cast<int>(now.size()) && !same; ++n) {
+            const Polygon& p = now[static_cast<std::size_t>(n)];
+            if (p.mesh != old.mesh) continue;
+            same = p.face == old.face;
+            if (same || found < 0 || std::abs(n - polygon) < std::abs(found - polygon)) found = n;
+        }
+        if (found >= 0) {
+            const int first = derived_.drawing().first_shape_of(found);
+            const int shapes = derived_.drawing().first_shape_of(found + 1) - first;
+            s_.cursor.step.parts[0].index = first + std::clamp(part, 0, std::max(0, shapes - 1));
+        }
+        const Path there = s_.cursor.step;
+        settle(false);
+        if (!same)
+            s_.message = {std::string(found >= 0 ? kTurnedAway : kMoved)};
+        else if (s_.cursor.step != there)
+            s_.message = {std::string(kMoved)};
     }
     [[nodiscard]] Answer& reopened() {
         Answer& answer = answer_here(s_);

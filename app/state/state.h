@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "app/lesson/lesson.h"
 #include "core/method/drawing.h"
@@ -31,6 +32,21 @@ struct VertexEdit {
     friend bool operator==(const VertexEdit&, const VertexEdit&) = default;
 };
 
+/// How a person turned a mesh, or sized the small one of jelly cubes; it replaces the scene's.
+struct MeshEdit {
+    int mesh = 0;
+    glm::vec3 rotate{0}, rotate2{0};  ///< as MeshPlacement's [degrees], in steps of 0.01
+    float ratio = 0.8F;
+    friend bool operator==(const MeshEdit&, const MeshEdit&) = default;
+};
+
+/// What turns: a mesh, or of jelly cubes one cube.
+struct Turning {
+    int mesh = -1;       ///< index into Scene::meshes
+    bool small = false;  ///< the small cube of the two
+    friend bool operator==(const Turning&, const Turning&) = default;
+};
+
 /// An answer under way, to the prediction of one beat.
 struct Answer {
     int beat = 0;
@@ -50,6 +66,9 @@ struct Work {
     NumberMode mode;
     QuirkSet quirks = 0;            ///< as they stand, the variant's with the switches applied
     std::vector<VertexEdit> edits;  ///< sorted by polygon, then vertex
+    std::vector<MeshEdit> meshes;   ///< sorted by mesh
+    float focal = 0;                ///< of the camera [px]; 0: the scene's
+    int frame = 0;                  ///< of all textures that move, from 0
     std::string texture_file;       ///< a person's own image in place of the scene's first texture; empty for none
     std::shared_ptr<const Texture> texture;  ///< its texels
     std::vector<Answer> answers;
@@ -86,11 +105,12 @@ struct Look {
     bool plain_code = true;     ///< trace(…) folded away in the listing
     std::vector<int> unfolded;  ///< folds of the listing that were opened, by their first lines
     bool reduced_motion = false, letter_keys = true;
-    int tab = 0;          ///< of the presenter's panel, or of the column above 150 %
-    float zoom = 0;       ///< canvas pixels per scene pixel; 0: fit
-    glm::vec2 centre{0};  ///< scene point at the canvas' centre, where zoom is not 0
-    float speed = 8;      ///< steps a second while playing
-    std::string other;    ///< id of the method that the view `difference` compares with; empty: the first other one
+    int tab = 0;           ///< of the presenter's panel, or of the column above 150 %
+    float zoom = 0;        ///< canvas pixels per scene pixel; 0: fit
+    glm::vec2 centre{0};   ///< scene point at the canvas' centre, where zoom is not 0
+    float speed = 8;       ///< steps a second while playing
+    std::string other;     ///< id of the method that the view `difference` compares with; empty: the first other one
+    float frame_rate = 8;  ///< frames a second of textures that move
     friend bool operator==(const Look&, const Look&) = default;
 };
 
@@ -117,10 +137,12 @@ struct State {
     Look look;
     Selection hover, pinned;
     Handle handle;
+    Turning turning;  ///< what keys and the mouse turn; no mesh: that of the cursor's shape
     Overlay overlay = Overlay::none;
     int chosen_lesson = 0;  ///< in the list, index
     std::vector<int> done;  ///< numbers of lessons that were gone through
     bool playing = false;
+    bool moving = false;  ///< textures that move do
     std::vector<Path> bookmarks;
     Message message;  ///< one line, until the next action
 };

@@ -9,11 +9,25 @@ constexpr std::size_t kMostEntries = 1000;
 
 /// Whether undo takes this action back.
 [[nodiscard]] bool is_edit(const Action& a) {
-    return std::holds_alternative<action::MoveVertex>(a) || std::holds_alternative<action::SetFormat>(a) ||
+    return std::holds_alternative<action::MoveVertex>(a) || std::holds_alternative<action::Turn>(a) ||
+           std::holds_alternative<action::SetRatio>(a) || std::holds_alternative<action::SetFocal>(a) ||
+           std::holds_alternative<action::SetFrame>(a) || std::holds_alternative<action::SetFormat>(a) ||
            std::holds_alternative<action::SetMode>(a) || std::holds_alternative<action::SetVariant>(a) ||
            std::holds_alternative<action::SetQuirk>(a) || std::holds_alternative<action::SetMethod>(a) ||
            std::holds_alternative<action::SetTexture>(a) || std::holds_alternative<action::Reset>(a) ||
            std::holds_alternative<action::Restore>(a);
+}
+
+/// The drag that the action belongs to; 0 for none.
+[[nodiscard]] int gesture_of(const Action& action) {
+    return std::visit(
+        [](const auto& a) {
+            if constexpr (requires { a.gesture; })
+                return a.gesture;
+            else
+                return 0;
+        },
+        action);
 }
 
 }  // namespace
@@ -23,8 +37,7 @@ void Store::dispatch(const Action& action) {
     if (std::holds_alternative<action::Redo>(action)) return undo(future_, past_);
     if (std::holds_alternative<action::Open>(action)) past_.clear(), future_.clear();
 
-    const auto* move = std::get_if<action::MoveVertex>(&action);
-    const int gesture = move != nullptr ? move->gesture : 0;
+    const int gesture = gesture_of(action);
     Entry before{state_.work, state_.cursor, gesture};
     state_ = reduce(state_, action, derived_);
     if (!is_edit(action) || (before.work == state_.work && before.cursor == state_.cursor)) return;
@@ -40,6 +53,7 @@ void Store::undo(std::vector<Entry>& from, std::vector<Entry>& to) {
     state_.work = std::move(from.back().work);
     state_.cursor = std::move(from.back().cursor);
     state_.message = {};
+    state_.moving = false;  // or the next frame would be an edit, and there were nothing left to redo
     from.pop_back();
     derived_.update(state_);
 }

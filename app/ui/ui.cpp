@@ -36,6 +36,7 @@ Ui::Ui(UiMemory& memory, const Input& input, const Fonts& fonts, const Theme& th
     memory_.cancelled_field = 0;
     if (!input_.down[0] && !input_.released[0]) memory_.active = 0;
     find_hot();
+    if (input_.pressed[1]) ++memory_.right_presses, memory_.right_press = input_.mouse;
     if (input_.pressed[0]) {
         ++memory_.presses;
         memory_.active = memory_.hot;

@@ -26,6 +26,8 @@ struct UiMemory {
     bool focus_moved = false;           ///< in this frame: regions scroll to it
     glm::vec2 press{0}, mouse{0};       ///< where `active` was pressed; the mouse in the frame before
     int presses = 0;                    ///< of the left button so far: a number for each drag
+    int right_presses = 0;              ///< of the right button so far, the same
+    glm::vec2 right_press{0};           ///< where it was pressed last
     double hot_since = 0;               ///< [s]
     std::vector<ControlRecord> controls;
     Id field = 0;            ///< being edited, with its text and the caret's byte

@@ -50,7 +50,8 @@ void take_input(const ViewContext& ctx, const Sheet& sheet) {
     const bool inside = map.area.contains(input.mouse) && ui.clip().contains(input.mouse);
     const glm::ivec2 pixel = map.pixel_at(input.mouse);
     const bool on_frame = inside && frame.rect().contains(pixel.x, pixel.y);
-    const std::string tip = on_frame && !input.down[0] && !input.down[2] ? describe(sheet, pixel) : std::string();
+    const std::string tip =
+        on_frame && !input.down[0] && !input.down[1] && !input.down[2] ? describe(sheet, pixel) : std::string();
     const ui::Control region = ui.control({.name = "canvas",
                                            .area = map.area,
                                            .kind = ui::Kind::region,
@@ -60,6 +61,7 @@ void take_input(const ViewContext& ctx, const Sheet& sheet) {
     tell_hover(ctx, map.area, on_frame && (region.hovered || ui.memory().hot != 0),
                {.kind = Selection::Kind::pixel, .at = pixel});
     if (region.clicked || region.double_clicked) click(ctx, map, region);
+    turn_by_mouse(sheet);
     if (inside && input.wheel.y != 0) {
         ctx.act(action::SetLook{zoomed(ctx.state.look, map, frame, input.mouse, input.wheel.y)});
     } else if (inside && input.down[2] && !input.pressed[2] && input.mouse != ui.memory().mouse) {

@@ -64,6 +64,8 @@ void draw_walk(Sheet& sheet);
 /// The three areas between a point and the sides; the point is that of the view `weights`.
 void draw_weight_areas(const Sheet& sheet);
 void draw_weight_labels(Sheet& sheet);
+// In canvas_turn.cpp.
+void turn_by_mouse(const Sheet& sheet);
 // In canvas_shape.cpp.
 void draw_outlines(const Sheet& sheet);
 /// Keeps plates off the current shape's corners.

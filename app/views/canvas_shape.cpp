@@ -81,6 +81,7 @@ struct Corner {
     const int current = current_polygon(sheet.ctx.derived);
     std::vector<Corner> found;
     const auto add = [&](int polygon) {
+        if (polygon != current && polygons[static_cast<std::size_t>(polygon)].mesh >= 0) return;  // no handles
         const auto& vertices = polygons[static_cast<std::size_t>(polygon)].vertices;
         for (std::size_t n = 0; n < vertices.size() && found.size() < kMostHandles; ++n) {
             if (!is_finite(vertices[n])) continue;
@@ -201,8 +202,10 @@ void block_corners(Sheet& sheet) {
 void draw_corners(Sheet& sheet) {
     if (hides_corners(sheet.ctx.state)) return;
     const bool may_move = may_drag(sheet.ctx.state, false);
+    const auto& polygons = sheet.ctx.derived.scene().polygons;
     for (const Corner& corner : corners_in_view(sheet)) {
-        if (corner.current || may_move) draw_corner(sheet, corner, may_move);
+        const bool own = polygons[static_cast<std::size_t>(corner.handle.polygon)].mesh < 0;
+        if (corner.current || may_move) draw_corner(sheet, corner, may_move && own);
     }
 }
 

@@ -205,9 +205,12 @@ void draw_texture_outline(const ViewContext& ctx, const TexelMap& map) {
 void draw_texture_corners(const ViewContext& ctx, const TexelMap& map) {
     if (hides_corners(ctx.state)) return;
     const std::span<const Vertex> corners = corners_of(ctx.derived);
-    const bool may_move = may_drag(ctx.state, true);
+    const int shape = ctx.derived.shape();
+    const bool own =
+        shape >= 0 &&
+        ctx.derived.scene().polygons[static_cast<std::size_t>(ctx.derived.drawing().polygon_of(shape))].mesh < 0;
+    const bool may_move = own && may_drag(ctx.state, true);
     for (std::size_t n = 0; n < corners.size(); ++n) {
-        const int shape = ctx.derived.shape();
         const Handle handle{ctx.derived.drawing().polygon_of(shape),
                             ctx.derived.drawing().vertex_of(shape, static_cast<int>(n)), true};
         if (is_finite(corners[n])) draw_corner(ctx, map, corners[n], handle, may_move);

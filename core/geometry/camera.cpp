@@ -51,18 +51,18 @@ glm::dmat3 turned(const glm::dmat3& matrix, int axis, double degrees) {
     return {x, y, glm::cross(x, y)};
 }
 
-glm::dvec4 to_clip(const View& view, const glm::dvec3& point) {
+glm::dvec4 to_clip(const Viewpoint& view, const glm::dvec3& point) {
     return {point.x * view.focal, -point.y * view.focal, point.z - view.near, point.z};
 }
 
-ClipStage clip_near(const View& view, std::span<const ClipVertex> ring) {
+ClipStage clip_near(const Viewpoint& view, std::span<const ClipVertex> ring) {
     ClipStage stage = clip(ring, {0, 0, 1, 0});
     for (ClipVertex& vertex : stage.inside)
         if (vertex.is_cut()) vertex.position.z = 0, vertex.position.w = view.near;
     return stage;
 }
 
-Vertex to_screen(const View& view, const glm::dvec4& position) {
+Vertex to_screen(const Viewpoint& view, const glm::dvec4& position) {
     TEXELSCOPE_ASSERT(position.w > 0);
     return {.x = static_cast<float>(view.middle_x + position.x / position.w),
             .y = static_cast<float>(view.middle_y + position.y / position.w),

@@ -25,7 +25,7 @@ namespace texelscope {
 [[nodiscard]] glm::dmat3 turned(const glm::dmat3& matrix, int axis, double degrees);
 
 /// Where the picture is, and from where it is seen.
-struct View {
+struct Viewpoint {
     double middle_x = 0, middle_y = 0;  ///< the screen position of the view axis [px]
     double focal = 1;                   ///< the eye's distance from the screen [px]
     double near = 1;                    ///< the least z that is seen, above 0
@@ -33,12 +33,12 @@ struct View {
 
 /// Clip space: (x focal, -y focal, z - near, z). Divided by w = z: the screen position from the middle, and the depth
 /// 1 - near / z, which is 0 at the near plane, 1 at infinity, and affine over the screen.
-[[nodiscard]] glm::dvec4 to_clip(const View& view, const glm::dvec3& point);
+[[nodiscard]] glm::dvec4 to_clip(const Viewpoint& view, const glm::dvec3& point);
 
 /// The ring's part with z >= near, in clip space. A cut has exactly z = 0 and w = near, so that no w is 0 or less.
-[[nodiscard]] ClipStage clip_near(const View& view, std::span<const ClipVertex> ring);
+[[nodiscard]] ClipStage clip_near(const Viewpoint& view, std::span<const ClipVertex> ring);
 
 /// The corner on the screen, rounded to float32; u and v are left 0. Requires position.w > 0.
-[[nodiscard]] Vertex to_screen(const View& view, const glm::dvec4& position);
+[[nodiscard]] Vertex to_screen(const Viewpoint& view, const glm::dvec4& position);
 
 }  // namespace texelscope

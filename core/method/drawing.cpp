@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/geometry/polygon.h"
+#include "core/method/blend.h"
 #include "core/method/depth.h"
 
 namespace texelscope {
@@ -81,6 +82,7 @@ Drawing::Drawing(const Scene& scene, const DrawSettings& settings) : scene_(&sce
     for (std::size_t n = 0; n < scene.polygons.size(); ++n) {
         const std::vector<Vertex>& vertices = scene.polygons[n].vertices;
         if (vertices.size() < 3) continue;
+        has_half_ = has_half_ || scene.polygons[n].half;
         if (!settings.method->triangles) {
             shapes_.push_back({static_cast<int>(n), corners_.size(), vertices.size()});
             corners_.insert(corners_.end(), vertices.begin(), vertices.end());
@@ -151,16 +153,21 @@ Image render(const Drawing& drawing) {
     const Scene& scene = drawing.scene();
     const Rect frame = scene.framebuffer.rect();
     Image picture(frame.width(), frame.height(), scene.framebuffer.clear);
+    const auto draw_sample = [&](int shape, const Sample& s) {
+        if (s.fate != Fate::written) return;
+        Rgb& pixel = picture.at(static_cast<int>(s.x) - frame.x0, static_cast<int>(s.y) - frame.y0);
+        pixel = blended(pixel, s.colour, drawing.is_half(shape));
+    };
     if (scene.depth == Depth::less) {
-        each_sample(drawing, 0, drawing.shape_count(), {frame, 1}, [&](int, const Sample& s) {
-            if (s.fate != Fate::written) return;
-            picture.at(static_cast<int>(s.x) - frame.x0, static_cast<int>(s.y) - frame.y0) = s.colour;
-        });
+        each_sample(drawing, 0, drawing.shape_count(), {frame, 1}, draw_sample);
         return picture;
     }
     for (int n = 0; n < drawing.shape_count(); ++n) {
         if (drawing.refusal(n) != Fate::written || !drawing.touches(n, frame)) continue;
-        drawing.settings().method->render(drawing.settings().format, drawing.job(n), picture);
+        if (drawing.is_half(n))
+            each_sample(drawing, n, n + 1, {frame, 1}, draw_sample);
+        else
+            drawing.settings().method->render(drawing.settings().format, drawing.job(n), picture);
     }
     return picture;
 }

@@ -40,6 +40,12 @@ public:
     [[nodiscard]] Fate refusal(int shape) const;
     /// The part of the frame that the shape's samples may lie in.
     [[nodiscard]] Rect reach(int shape) const;
+    /// The shape is half-transparent: its samples blend with what stands in the picture (core/method/blend.h).
+    [[nodiscard]] bool is_half(int shape) const {
+        return scene_->polygons[static_cast<std::size_t>(polygon_of(shape))].half;
+    }
+    /// Some shape is, so that a pixel may show more than the last sample written to it.
+    [[nodiscard]] bool has_half() const { return has_half_; }
     /// Whether any sample of the shape can lie in `rect`.
     [[nodiscard]] bool touches(int shape, const Rect& rect) const;
 
@@ -52,6 +58,7 @@ private:
     DrawSettings settings_;
     std::vector<Shape> shapes_;
     std::vector<Vertex> corners_;
+    bool has_half_ = false;
 };
 
 /// The whole picture.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/method/blend.h"
 #include "core/method/drawing.h"
 
 namespace texelscope {
@@ -55,16 +56,24 @@ private:
     int open_count_ = 0;
 };
 
-/// The depth test needs the shapes in their order.
+/// Shapes in their order, as a depth test needs them, and those that blend with what stands there.
 void draw_forward(const Drawing& drawing, int last, Layer& layer) {
-    const auto itself = [](const Rgb& colour) { return colour; };
-    struct Pixel {
-        Fate fate;
-        Rgb texel;
+    const Window& window = layer.window();
+    const Rgb clear = drawing.scene().framebuffer.clear;
+    const auto put = [&](int shape, const Sample& s) {
+        if (s.fate != Fate::written) return;
+        LayerCell& cell = layer.cells().at((static_cast<int>(s.x) - window.rect.x0) / window.stride,
+                                           (static_cast<int>(s.y) - window.rect.y0) / window.stride);
+        cell = {blended(cell.shape < 0 ? clear : cell.colour, s.colour, drawing.is_half(shape)), shape};
     };
-    each_sample(drawing, 0, last, layer.window(), [&](int shape, const Sample& s) {
-        layer.put(shape, itself)(s.x, s.y, Pixel{s.fate, s.colour});
-    });
+    if (drawing.scene().depth == Depth::less) return each_sample(drawing, 0, last, window, put);
+    const DrawSettings& settings = drawing.settings();
+    for (int n = 0; n < last; ++n) {
+        if (drawing.is_half(n))
+            each_sample(drawing, n, n + 1, window, put);
+        else if (drawing.refusal(n) == Fate::written && drawing.touches(n, window.rect))
+            settings.method->paint(settings.format, drawing.job(n), window, n, layer);
+    }
 }
 
 }  // namespace
@@ -82,7 +91,7 @@ Layer::Layer(const Window& window) : window_(window) {
 
 Layer layer_of(const Drawing& drawing, int last, const Window& window, const Layer* more) {
     Layer layer(window);
-    if (drawing.scene().depth == Depth::less) {
+    if (drawing.scene().depth == Depth::less || drawing.has_half()) {
         draw_forward(drawing, last, layer);
         return layer;
     }

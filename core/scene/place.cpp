@@ -137,14 +137,14 @@ private:
     }
 
     Scene& scene_;
-    View view_;
+    Viewpoint view_;
     std::vector<PlacedFace> faces_;
     std::vector<Made> made_;
 };
 
 }  // namespace
 
-View view_of(const Scene& scene) {
+Viewpoint view_of(const Scene& scene) {
     double nearest = 0;
     for (const MeshPlacement& placement : scene.meshes)
         if (placement.move.z > 0 && (nearest == 0 || placement.move.z < nearest)) nearest = placement.move.z;
@@ -158,6 +158,13 @@ View view_of(const Scene& scene) {
 
 JellyCubes jelly_cubes_of(const MeshPlacement& placement) {
     return jelly_cubes(1, placement.ratio, rotation(placement.rotate), rotation(placement.rotate2));
+}
+
+glm::vec3 turned_angles(const glm::vec3& degrees, int axis, double by) {
+    const glm::dvec3 angles = angles_of(turned(rotation(degrees), axis, by));
+    glm::vec3 rounded(0);
+    for (int n = 0; n < 3; ++n) rounded[n] = static_cast<float>(std::round(angles[n] * 100) / 100);
+    return rounded;
 }
 
 std::vector<PlacedFace> place_meshes(Scene& scene) {

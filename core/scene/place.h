@@ -30,10 +30,15 @@ struct PlacedFace {
 /// The camera of a scene: its focal length, else the framebuffer's width; its near plane, else a 16th of the
 /// distance along z of the nearest mesh in front of the eye (a 16th of 1 where there is none). The view axis meets the
 /// screen at (width / 2, height / 2), wherever the framebuffer's origin is.
-[[nodiscard]] View view_of(const Scene& scene);
+[[nodiscard]] Viewpoint view_of(const Scene& scene);
 
 /// The two cubes before they are scaled and moved: half-sizes 1 and `ratio`, each turned.
 [[nodiscard]] JellyCubes jelly_cubes_of(const MeshPlacement& placement);
+
+/// The angles of a mesh that is turned further about one of the world's axes [0, 2], in the sense of rotation():
+/// rounded to hundredths of a degree, so that they are short in writing and ten thousand turns still add no shear.
+/// Requires finite angles.
+[[nodiscard]] glm::vec3 turned_angles(const glm::vec3& degrees, int axis, double by);
 
 /// Replaces all polygons of the scene that were made from meshes. They come after its own; the farthest of all meshes
 /// first where the depth test is off, else in the order of the meshes. Where back faces are culled only front faces

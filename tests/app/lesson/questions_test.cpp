@@ -8,6 +8,7 @@
 
 #include "app/lesson/facts.h"
 #include "app/lesson/questions.h"
+#include "core/scene/place.h"
 #include "core/trace/listing.h"
 
 namespace texelscope {
@@ -279,6 +280,48 @@ TEST(Questions, AnyCoordinatesGiveOneAnswerAndAStepThatExists) {
             }
         }
     }
+}
+
+[[nodiscard]] Scene with_mesh(Shape3d shape, const glm::vec3& rotate) {
+    Scene scene = scene_of(64, 48, {});
+    scene.cull = Cull::back;
+    scene.meshes.resize(1);
+    scene.meshes[0].shape = shape, scene.meshes[0].rotate = rotate, scene.meshes[0].move = {0, 0, 8};
+    place_meshes(scene);
+    return scene;
+}
+
+TEST(Questions, ACubeShowsOneTwoOrThreeFacesAndSolidsOppositeOnesNeverBoth) {
+    const auto visible = [](Shape3d shape, const glm::vec3& rotate) {
+        return Board(with_mesh(shape, rotate), "sections", "corrected").ask("visible-faces").number;
+    };
+    EXPECT_EQ(visible(Shape3d::cube, {0, 0, 0}), 1);
+    EXPECT_EQ(visible(Shape3d::cube, {0, 40, 0}), 2);
+    EXPECT_EQ(visible(Shape3d::cube, {30, 40, 0}), 3);
+    EXPECT_LE(visible(Shape3d::dodecahedron, {11, 22, 33}), 6);
+    EXPECT_LE(visible(Shape3d::icosahedron, {11, 22, 33}), 10);
+    EXPECT_FALSE(Board(half_planes(), "sections", "corrected").ask("visible-faces").number);
+}
+
+TEST(Questions, CornersOfTheSmallCubeStickOutAboveTheThirdRoot) {
+    // Turned so that a diagonal of the small cube lies along x: its corners 0 and 7 are farthest.
+    Scene scene = with_mesh(Shape3d::jelly_cubes, {0, 0, 0});
+    scene.meshes[0].rotate2 = {0, 35.26F, 45};
+    const auto cut = [&](float ratio) {
+        scene.meshes[0].ratio = ratio;
+        place_meshes(scene);
+        return Board(scene, "sections", "corrected").ask("cut-corners").options;
+    };
+    EXPECT_TRUE(cut(0.57F).empty());
+    EXPECT_EQ(cut(0.6F).size(), 1U) << "of opposite corners both are cut or neither";
+    EXPECT_EQ(cut(1.9F).size(), 4U);
+}
+
+TEST(Questions, TheEndNearerToTheCutWeighsMore) {
+    Board board(half_planes(), "sections", "corrected");
+    EXPECT_NEAR(*board.ask("cut-weight 1.1 0.7").number, 0.75, 1e-12);
+    EXPECT_NEAR(*board.ask("cut-weight 1.3 0.9").number, 0.25, 1e-12);
+    EXPECT_FALSE(board.ask("cut-weight 0.9 0.7").number);
 }
 
 TEST(Questions, ASceneWithoutShapesHasAnswersToo) {

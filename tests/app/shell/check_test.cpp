@@ -26,6 +26,8 @@ const std::vector<Fault> kFaults{
     {"ViewOfAnotherMethod", "\"texels\", \"code\"", "\"texels\", \"code\", \"ring\"", 6,
      "'ring', which is for sections"},
     {"ViewOfAnotherMethodInABeat", "pin = \"name u\"", "pin = \"name u\"\nviews = [\"face\"]", 18, "'face', which is"},
+    {"ViewWithoutItsSolid", "\"texels\", \"code\"", "\"texels\", \"solids\"", 6, "'solids', which needs a solid"},
+    {"ViewWithoutItsFrames", "\"texels\", \"code\"", "\"frames\", \"code\"", 6, "'frames', which needs a texture"},
     {"UnknownIcon", "quirks = [", "icon = \"my icon\"\nquirks = [", 8, "icon is 'my icon', expected array, ratio"},
     {"LevelLeftOut", "\"TGPE\"", "\"TSP\"", 16, "level here is 'expression', but levels = \"TSP\" leaves E out"},
     {"LevelOfTheBeatLeftOut", "pin = \"name u\"", "level = \"scanline\"", 17, "level here is 'scanline'"},

@@ -73,7 +73,7 @@ TEST(Turned, StaysOrthonormalOverAHundredThousandSteps) {
 }
 
 TEST(Projection, IsThePublishedOne) {
-    const View view{.middle_x = 960, .middle_y = 540, .focal = 1920, .near = 0.5};
+    const Viewpoint view{.middle_x = 960, .middle_y = 540, .focal = 1920, .near = 0.5};
     const Vertex v = to_screen(view, to_clip(view, {1.25, 0.75, 6.5}));
     EXPECT_EQ(v.x, static_cast<float>(960 + 1.25 * 1920 / 6.5));
     EXPECT_EQ(v.y, static_cast<float>(540 - 0.75 * 1920 / 6.5));
@@ -83,7 +83,7 @@ TEST(Projection, IsThePublishedOne) {
 
 /// The depth at the middle between two corners on the screen is the mean of theirs: a plane stays a plane.
 TEST(Projection, DepthIsAffineOverTheScreen) {
-    const View view{.middle_x = 100, .middle_y = 100, .focal = 300, .near = 0.25};
+    const Viewpoint view{.middle_x = 100, .middle_y = 100, .focal = 300, .near = 0.25};
     const glm::dvec3 p(-3, 1, 4), q(5, -2, 19);
     const auto depth = [&](const glm::dvec3& point) {
         const glm::dvec4 c = to_clip(view, point);
@@ -98,7 +98,7 @@ TEST(NearPlane, CutsBeforeDividing) {
     std::mt19937 random(4);
     for (int i = 0; i < 20000; ++i) {
         const double size = std::pow(10.0, static_cast<int>(random() % 16));
-        const View view{.focal = 300, .near = std::pow(10.0, static_cast<int>(random() % 9) - 6)};
+        const Viewpoint view{.focal = 300, .near = std::pow(10.0, static_cast<int>(random() % 9) - 6)};
         ClipRing ring;
         for (int corner = 0; corner < 3; ++corner) {
             const auto number = [&] { return (static_cast<double>(random()) / 2147483648.0 - 1) * size; };

@@ -134,6 +134,16 @@ inline constexpr int kFamilies = 7;
     return scene;
 }
 
+/// The same scene with some polygons half-transparent, at least one, and some more over them.
+[[nodiscard]] inline Scene with_half(Scene scene, unsigned seed) {
+    Dice dice(seed + 1000);
+    const std::vector<Polygon> polygons = scene.polygons;
+    scene.polygons.insert(scene.polygons.end(), polygons.rbegin(), polygons.rend());
+    for (Polygon& polygon : scene.polygons) polygon.half = dice.often(0.5);
+    scene.polygons.back().half = true;
+    return scene;
+}
+
 /// A wall, 100 pixels long and eight times as far away at its right.
 [[nodiscard]] inline Scene steep_scene() {
     Scene scene;

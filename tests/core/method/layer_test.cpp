@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/method/blend.h"
 #include "tests/core/method/cases.h"
 
 namespace texelscope {
@@ -13,8 +14,10 @@ Grid<LayerCell> one_after_the_other(const Drawing& drawing, int last, const Wind
     Grid<LayerCell> cells(cells_of(window.rect.width()), cells_of(window.rect.height()));
     each_sample(drawing, 0, last, window, [&](int shape, const Sample& s) {
         if (s.fate != Fate::written) return;
-        cells.at((static_cast<int>(s.x) - window.rect.x0) / window.stride,
-                 (static_cast<int>(s.y) - window.rect.y0) / window.stride) = {s.colour, shape};
+        LayerCell& cell = cells.at((static_cast<int>(s.x) - window.rect.x0) / window.stride,
+                                   (static_cast<int>(s.y) - window.rect.y0) / window.stride);
+        const Rgb before = cell.shape < 0 ? drawing.scene().framebuffer.clear : cell.colour;
+        cell = {blended(before, s.colour, drawing.is_half(shape)), shape};
     });
     return cells;
 }
@@ -31,6 +34,7 @@ TEST(Layer, EqualsDrawingEachShapeInItsOrder) {
             laws::Dice dice(seed);
             Scene scene = laws::random_scene(seed);
             if (dice.often(0.2)) scene.depth = Depth::less;
+            if (dice.often(0.4)) scene = laws::with_half(scene, seed);
             const Drawing drawing(scene, c.settings);
             const Window window = random_window(dice, scene.framebuffer.rect());
             const Layer all = layer_of(drawing, drawing.shape_count(), window);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/method/blend.h"
 #include "core/method/steps.h"
 #include "tests/core/method/cases.h"
 
@@ -10,6 +11,13 @@ namespace texelscope {
 namespace {
 
 using laws::Case;
+
+/// Puts a colour where it belongs, over what the polygon lets through.
+void put(const Drawing& drawing, int shape, Integer x, Integer y, const Rgb& colour, Image& picture) {
+    const Framebuffer& framebuffer = drawing.scene().framebuffer;
+    Rgb& pixel = picture.at(static_cast<int>(x) - framebuffer.origin_x, static_cast<int>(y) - framebuffer.origin_y);
+    pixel = blended(pixel, colour, drawing.is_half(shape));
+}
 
 /// The value last named `name` on the way to the unit.
 std::optional<Integer> named_integer(const Visit& visit, std::string_view name) {
@@ -42,8 +50,7 @@ Image replayed(const Drawing& drawing) {
         const auto channel = [&](const char* name) {
             return static_cast<std::uint8_t>(named_integer(v, name).value_or(0));
         };
-        picture.at(static_cast<int>(x) - framebuffer.origin_x, static_cast<int>(y) - framebuffer.origin_y) = {
-            channel("r"), channel("g"), channel("b")};
+        put(drawing, static_cast<int>(path->parts[0].index), x, y, {channel("r"), channel("g"), channel("b")}, picture);
     }
     return picture;
 }
@@ -52,9 +59,7 @@ Image painted(const Drawing& drawing, const std::vector<std::pair<int, Sample>>&
     const Framebuffer& framebuffer = drawing.scene().framebuffer;
     Image picture(framebuffer.width, framebuffer.height, framebuffer.clear);
     for (const auto& [shape, s] : samples) {
-        if (s.fate != Fate::written) continue;
-        picture.at(static_cast<int>(s.x) - framebuffer.origin_x, static_cast<int>(s.y) - framebuffer.origin_y) =
-            s.colour;
+        if (s.fate == Fate::written) put(drawing, shape, s.x, s.y, s.colour, picture);
     }
     return picture;
 }
@@ -78,6 +83,20 @@ TEST(Replay, SamplesOfTheWholeFrameAreThePicture) {
     for_every_case(60, [](const Drawing& drawing, const Case&) {
         EXPECT_EQ(painted(drawing, laws::all_samples(drawing, {drawing.scene().framebuffer.rect(), 1})),
                   render(drawing));
+    });
+}
+
+TEST(Replay, HalfTransparentPolygonsBlendInTheirOrder) {
+    for_every_case(7, [](const Drawing& drawing, const Case& c) {
+        for (const Depth depth : {Depth::off, Depth::less}) {
+            Scene scene = laws::with_half(drawing.scene(), static_cast<unsigned>(drawing.shape_count()));
+            scene.depth = depth;
+            const Drawing half(scene, c.settings);
+            EXPECT_EQ(painted(half, laws::all_samples(half, {scene.framebuffer.rect(), 1})), render(half));
+            if (depth == Depth::off) {
+                EXPECT_EQ(replayed(half), render(half));
+            }
+        }
     });
 }
 

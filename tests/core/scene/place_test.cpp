@@ -36,6 +36,23 @@ Scene scene_with(Shape3d shape, const glm::vec3& rotate, Cull cull = Cull::back)
 
 glm::vec3 any_angles(laws::Dice& dice) { return {dice.within(0, 360), dice.within(0, 360), dice.within(0, 360)}; }
 
+TEST(Place, TurningThereAndBackKeepsTheAnglesToAHundredth) {
+    laws::Dice dice(7);
+    for (int n = 0; n < 500; ++n) {
+        const glm::vec3 start = any_angles(dice);
+        const int axis = dice.whole(0, 2);
+        const double by = double{dice.within(-180, 180)};
+        const glm::vec3 there = turned_angles(start, axis, by);
+        for (int a = 0; a < 3; ++a) EXPECT_NEAR(there[a], std::round(there[a] * 100) / 100, 1e-4);
+        const glm::dmat3 expected = turned(rotation(start), axis, by), got = rotation(there);
+        const glm::dmat3 back = rotation(turned_angles(there, axis, -by)), first = rotation(start);
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_LT(glm::length(got[c] - expected[c]), 4e-4);
+            EXPECT_LT(glm::length(back[c] - first[c]), 8e-4);
+        }
+    }
+}
+
 TEST(Place, MakesPolygonsOfFrontFacesOnlyWhereBackFacesAreCulled) {
     laws::Dice dice(1);
     for (const Shape3d shape : kSolids) {
