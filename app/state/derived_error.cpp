@@ -19,7 +19,7 @@ using Written = std::map<std::pair<Integer, Integer>, Sample>;  ///< by y, then 
 }
 
 /// The errors of all samples that either run writes.
-[[nodiscard]] std::vector<RowError::At> errors(const Drawing& drawing, int shape, const Rect& rect) {
+[[nodiscard]] std::vector<RowError::At> pixel_errors(const Drawing& drawing, int shape, const Rect& rect) {
     DrawSettings exact = drawing.settings();
     exact.format = NumberFormat::exact;
     const Written is = written(drawing, shape, rect);
@@ -53,7 +53,7 @@ const RowError& Derived::row_error() const {
     if (!y || shape() < 0) return *found;
     const Rect frame = scene().framebuffer.rect();
     const int line = static_cast<int>(std::clamp<Integer>(*y, frame.y0, frame.y1 - 1));
-    found->pixels = errors(drawing(), shape(), {frame.x0, line, frame.x1, line + 1});
+    found->pixels = pixel_errors(drawing(), shape(), {frame.x0, line, frame.x1, line + 1});
     std::stable_sort(found->pixels.begin(), found->pixels.end(),
                      [](const RowError::At& a, const RowError::At& b) { return a.x < b.x; });
     found->others = count_others(found->pixels);
@@ -68,7 +68,7 @@ std::optional<ShapeError> Derived::shape_error() const {
     found.emplace(n, std::nullopt);
     const Rect reach = drawing().reach(n);
     if (reach.empty() || Integer{reach.width()} * reach.height() > kMaxCompared) return std::nullopt;
-    const std::vector<RowError::At> all = errors(drawing(), n, scene().framebuffer.rect());
+    const std::vector<RowError::At> all = pixel_errors(drawing(), n, scene().framebuffer.rect());
     ShapeError sum{.pixels = static_cast<int>(all.size()), .others = count_others(all)};
     for (const RowError::At& a : all) {
         const double most = std::max(std::abs(a.u), std::abs(a.v));
