@@ -85,6 +85,18 @@ TEST(MatrixView, ShowsTheChainWithItsNumbersAndMarksWhatIsUsed) {
     EXPECT_EQ(stage.derived.named()->name.text(), "h");
 }
 
+TEST(MatrixView, InAPixelItsCoefficientsAreNoChannels) {
+    ViewStage stage = stage_of("backward-projective", "t0/s2/y15/x60");
+    stage.frame("matrix", kLarge);
+    EXPECT_TRUE(stage.shows("0.0333"));
+    EXPECT_FALSE(stage.shows("255"));  // the pixel's green and blue
+    const ui::ControlRecord* g = stage.control("g");
+    ASSERT_NE(g, nullptr);
+    stage.input.mouse = g->area.centre();
+    for (int n = 0; n < 3; ++n) stage.frame("matrix", kLarge);
+    EXPECT_TRUE(stage.shows("one pixel to the right"));
+}
+
 TEST(MatrixView, OfAMethodWithoutAMatrixSaysWhichHaveOne) {
     ViewStage stage = stage_of("barycentric", "t0/s0");
     stage.frame("matrix", kWide);
