@@ -94,7 +94,8 @@ TEST(MatrixView, InAPixelItsCoefficientsAreNoChannels) {
     ASSERT_NE(g, nullptr);
     stage.input.mouse = g->area.centre();
     for (int n = 0; n < 3; ++n) stage.frame("matrix", kLarge);
-    EXPECT_TRUE(stage.shows("one pixel to the right"));
+    EXPECT_TRUE(stage.shows("grows"));
+    EXPECT_FALSE(stage.shows("green"));
 }
 
 TEST(MatrixView, OfAMethodWithoutAMatrixSaysWhichHaveOne) {
