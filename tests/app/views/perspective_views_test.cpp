@@ -114,6 +114,24 @@ TEST(Operations, ShowWhatTheTapeHas) {
     EXPECT_TRUE(stage.shows(std::to_string(stage.derived.costs()[1].whole().divisions)));
 }
 
+TEST(Code, DoesNotNameTheGuiltyLineWhileAQuestionAsksForIt) {
+    auto document = std::make_shared<Document>(*floor_document());
+    Lesson lesson;
+    lesson.method = "backward-projective";
+    Beat beat;
+    beat.prediction = Prediction{"Which?", Prediction::Kind::line, {}, "guilty-line wrong_slope", "auto", 0};
+    lesson.beats = {beat, Beat{}};
+    document->lesson = lesson;
+    ViewStage stage({.method = "backward-projective", .variant = "as-printed", .step = "t0/s2/y15/x65"}, document);
+    const ui::Area tall{0, 0, 624, 2000};
+    stage.frame("code", tall);
+    EXPECT_TRUE(stage.shows("wrong_slope"));
+    EXPECT_FALSE(stage.shows("Q1"));
+    stage.state.cursor.beat = 1;
+    stage.frame("code", tall);
+    EXPECT_TRUE(stage.shows("Q1"));
+}
+
 TEST(PerspectiveViews, FitAndCanBeReadAtEverySizeOfText) {
     for (const bool presenting : {false, true}) {
         for (const float scale : {1.0F, 1.5F, 2.5F}) {
