@@ -9,6 +9,7 @@
 
 #include "app/ui/text.h"
 #include "app/ui/widgets.h"
+#include "app/views/canvas_values.h"
 #include "app/views/code_text.h"
 #include "app/views/formula_blocks.h"
 #include "app/views/terms.h"
@@ -92,6 +93,8 @@ struct Columns {
                        fault.empty() ? "" : ", ", fault);
 }
 
+constexpr std::string_view kQuirkComment = "// Q";  ///< of a guilty line, with its number
+
 /// Quirks that are switched on, by the line that causes them.
 [[nodiscard]] std::map<int, const QuirkInfo*> guilty_lines(const Derived& derived, QuirkSet quirks) {
     std::map<int, const QuirkInfo*> lines;
@@ -104,6 +107,9 @@ struct Columns {
     return lines;
 }
 
+/// A question asks for a line: neither marks nor comments may name the guilty one.
+[[nodiscard]] bool asks_for_line(const State& state) { return canvas::pointing(state, Prediction::Kind::line).asked; }
+
 class CodeView {
 public:
     CodeView(const ViewContext& context, const ui::Area& place, const ui::Area& area)
@@ -114,14 +120,18 @@ public:
           line_(context.derived.line()),
           columns_(columns_of(ui_, area.right() - place.x, static_cast<int>(context.derived.listing().lines.size()))),
           notes_(notes_of(context.derived, context.state.cursor)),
-          quirks_(guilty_lines(context.derived, context.state.work.quirks)) {}
+          quirks_(asks_for_line(context.state) ? std::map<int, const QuirkInfo*>()
+                                               : guilty_lines(context.derived, context.state.work.quirks)) {}
 
     void draw() {
         const Listing& listing = context_.derived.listing();
         const std::vector<CodeFunction> functions = functions_of(listing);
         const CodeRowsSpec spec{shown_functions(listing, functions), context_.state.look.unfolded,
                                 context_.state.look.plain_code, columns_.characters};
-        const std::vector<CodeRow> rows = rows_of(listing, functions, spec);
+        std::vector<CodeRow> rows = rows_of(listing, functions, spec);
+        if (asks_for_line(context_.state)) {
+            for (CodeRow& row : rows) row.text.resize(std::min(row.text.size(), row.text.find(kQuirkComment)));
+        }
         row_height_ = pitch(ui_, 18, ui::Face::code);
         if (area_.h < 12 * row_height_) row_height_ = pitch(ui_, 17, ui::Face::code);
         area_.h = std::max(1.0F, std::floor(area_.h / row_height_)) * row_height_;  // whole rows, so that none is cut

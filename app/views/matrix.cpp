@@ -65,11 +65,18 @@ private:
             ui::fill(ui_.list(), {at.x, std::round(at.bottom()) - 1, at.w, 2}, now);
         }
     }
+    /// Of a … i those that follow det: in a pixel g and b are channels, too.
+    [[nodiscard]] std::int32_t named_as(std::string_view name) const {
+        if (name.size() != 1) return last(name);
+        for (auto n = last("det"); n >= 0 && n < static_cast<std::int32_t>(tape_.names.size()); ++n)
+            if (tape_.names[static_cast<std::size_t>(n)].name.text() == name) return n;
+        return -1;
+    }
     [[nodiscard]] std::int32_t last(std::string_view name) const {
         return find_name(tape_, name, static_cast<std::int32_t>(tape_.names.size()) - 1);
     }
     [[nodiscard]] ui::Expr term(const std::string& name, bool number, int decimals) const {
-        const std::int32_t named = last(name);
+        const std::int32_t named = named_as(name);
         if (named < 0) return ui::number(1);  // what has no name is the 1 of (u, v, 1)
         const Value& value =
             tape_.operations[static_cast<std::size_t>(tape_.names[static_cast<std::size_t>(named)].operation)].value;

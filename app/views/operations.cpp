@@ -67,6 +67,7 @@ public:
         float all = name_;
         for (const float w : cell_) all += 3 * w + gap;
         const bool beside = all <= area_.w;
+        if (!beside) cell_.fill(*std::max_element(cell_.begin(), cell_.end()));  // one below the other
         const float block = row_ * static_cast<float>(costs_.size()) + 2 * pitch(ui_, 18, ui::Face::title) + ui_.px(6);
         const float content = beside ? block : block * static_cast<float>(kGroups.size());
         foresee(ui_, "operations/scroll", content);

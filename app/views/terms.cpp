@@ -84,6 +84,42 @@ constexpr std::array<Meaning, 68> kMeanings{{
     {"in_#", "whether the sample lies on corner #'s side of the side across from it"},
 }};
 
+/// Names of the methods in perspective.
+constexpr std::array kPerspective{
+    Meaning{"w_#", "corner #'s distance from the eye along its axis"},
+    Meaning{"X_#", "$x w$ of one of three corners that say how the texture lies [px]"},
+    Meaning{"Y_#", "$y w$ of one of three corners that say how the texture lies [px]"},
+    Meaning{"det", "the determinant of $P$: its cofactors are divided by it"},
+    Meaning{"U", "$u/w$ at the sample [texels]"},
+    Meaning{"V", "$v/w$ at the sample [texels]"},
+    Meaning{"W", "$1/w$ at the sample"},
+    Meaning{"U_start", "$u/w$ at the row's first sample [texels]"},
+    Meaning{"V_start", "$v/w$ at the row's first sample [texels]"},
+    Meaning{"W_start", "$1/w$ at the row's first sample"},
+    Meaning{"l_u", "$u/w$ at the sample, from the corners' by their weights [texels]"},
+    Meaning{"l_v", "$v/w$ at the sample, from the corners' by their weights [texels]"},
+    Meaning{"l_1", "$1/w$ at the sample, from the corners' by their weights"},
+};
+constexpr std::string_view kCofactor = "a cofactor of $P$: what its inverse is made of";
+/// a to i, which are numbers with a fraction; as whole numbers g and b are channels.
+constexpr std::array<std::string_view, 9> kCoefficients{
+    "how much $u/w$ grows with one pixel to the right [texels/px]",
+    "how much $u/w$ grows with one pixel down [texels/px]",
+    "$u/w$ at the screen's origin [texels]",
+    "how much $v/w$ grows with one pixel to the right [texels/px]",
+    "how much $v/w$ grows with one pixel down [texels/px]",
+    "$v/w$ at the screen's origin [texels]",
+    "how much $1/w$ grows with one pixel to the right [1/px]",
+    "how much $1/w$ grows with one pixel down [1/px]",
+    "$1/w$ at the screen's origin",
+};
+/// What one of a to i means, where the value is a coefficient.
+[[nodiscard]] std::string_view coefficient(std::string_view name, const Value& value) {
+    const bool one = name.size() == 1 && name[0] >= 'a' && name[0] <= 'i';
+    if (!one || std::holds_alternative<Integer>(value)) return {};
+    return kCoefficients[static_cast<std::size_t>(name[0] - 'a')];
+}
+
 constexpr std::string_view kDragHint = "Drag to change it.";
 constexpr std::string_view kWrong = "**{}** ";
 constexpr float kDragStep = 1.0F / 16;  ///< scene pixels, or texels, for each pixel of the mouse
@@ -121,16 +157,21 @@ std::string meaning_of(std::string_view name) {
     if (edge >= 0) pattern.back() = '@', part = std::string(1, static_cast<char>('A' + edge));
     const auto at =
         std::find_if(kMeanings.begin(), kMeanings.end(), [&](const Meaning& m) { return m.name == pattern; });
-    if (at == kMeanings.end()) return {};
-    std::string text(at->text);
+    const auto other =
+        std::find_if(kPerspective.begin(), kPerspective.end(), [&](const Meaning& m) { return m.name == pattern; });
+    if (at == kMeanings.end() && name.substr(0, 2) == "A_") return std::string(kCofactor);
+    if (at == kMeanings.end() && other == kPerspective.end()) return {};
+    std::string text(at != kMeanings.end() ? at->text : other->text);
     const std::size_t hole = text.find_first_of("#@");
     if (hole != std::string::npos && !part.empty()) text.replace(hole, 1, part);
     return text;
 }
 
 std::string tip_of(const Tape& tape, std::int32_t named) {
-    const std::string name = name_at(tape, named), meaning = meaning_of(name);
+    const std::string name = name_at(tape, named);
     const Value& value = operation_at(tape, named).value;
+    const std::string_view of_matrix = coefficient(name, value);
+    const std::string meaning = of_matrix.empty() ? meaning_of(name) : std::string(of_matrix);
     const std::string_view fault = fault_of(value);
     std::string tip = markup_of_name(name) + " = " + all_digits(value);
     if (const std::string_view format = format_of(value); !format.empty() && format != "whole")

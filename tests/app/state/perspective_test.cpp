@@ -1,11 +1,14 @@
 // What lessons 12 and 13 show as numbers: S4's figures, the error map, the counted operations.
+#include <array>
 #include <cmath>
+#include <filesystem>
 
 #include <gtest/gtest.h>
 
 #include "app/lesson/facts.h"
 #include "app/state/derived.h"
 #include "core/image/patterns.h"
+#include "core/scene/json.h"
 
 namespace texelscope {
 namespace {
@@ -83,6 +86,24 @@ TEST(S4, ItsFloorHasOneDepthARow) {
     EXPECT_NEAR(value("g"), 0, 1e-15);
     EXPECT_NEAR(value("h"), 1.0 / 300, 1e-12);
     EXPECT_NEAR(value("i"), 1.0 / 6, 1e-12);
+}
+
+TEST(S4, ItsPictureWritesTheThreeDiagonalsTwice) {
+    const std::filesystem::path assets = std::filesystem::path(TEXELSCOPE_SOURCE_DIR) / "assets";
+    const auto loaded = load_scene(assets / "scenes/s4.json", assets);
+    ASSERT_TRUE(loaded) << loaded.error().text();
+    EXPECT_TRUE(loaded->warnings.empty());
+    const Method& method = *find_method("barycentric");
+    const Drawing drawing(loaded->scene, {&method, NumberFormat::f64, quirks_of(method, "as-printed"), {}});
+    const Grid<std::uint8_t> counts = write_counts(drawing);
+    std::array<int, 3> twice{};
+    for (int y = 0; y < counts.height(); ++y)
+        for (int x = 0; x < counts.width(); ++x) twice[x < 550 ? 0 : x < 1050 ? 1 : 2] += counts.at(x, y) > 1;
+    EXPECT_EQ(twice, (std::array{401, 301, 301}));
+    const Image picture = render(drawing);
+    EXPECT_EQ(picture.at(0, 0), (Rgb{180, 179, 210}));
+    EXPECT_EQ(picture.at(180, 130), (Rgb{255, 255, 255}));
+    EXPECT_EQ(picture.at(102, 102), (Rgb{0, 127, 0}));  // black, halved with green: 0/2 + 255/2
 }
 
 TEST(ErrorMap, InPerspectiveThereIsNoError) {

@@ -85,6 +85,19 @@ TEST(MatrixView, ShowsTheChainWithItsNumbersAndMarksWhatIsUsed) {
     EXPECT_EQ(stage.derived.named()->name.text(), "h");
 }
 
+TEST(MatrixView, InAPixelItsCoefficientsAreNoChannels) {
+    ViewStage stage = stage_of("backward-projective", "t0/s2/y15/x60");
+    stage.frame("matrix", kLarge);
+    EXPECT_TRUE(stage.shows("0.0333"));
+    EXPECT_FALSE(stage.shows("255"));  // the pixel's green and blue
+    const ui::ControlRecord* g = stage.control("g");
+    ASSERT_NE(g, nullptr);
+    stage.input.mouse = g->area.centre();
+    for (int n = 0; n < 3; ++n) stage.frame("matrix", kLarge);
+    EXPECT_TRUE(stage.shows("grows"));
+    EXPECT_FALSE(stage.shows("green"));
+}
+
 TEST(MatrixView, OfAMethodWithoutAMatrixSaysWhichHaveOne) {
     ViewStage stage = stage_of("barycentric", "t0/s0");
     stage.frame("matrix", kWide);
@@ -99,6 +112,24 @@ TEST(Operations, ShowWhatTheTapeHas) {
     for (const char* title : {"Backward: two additions", "Backward in perspective", "Floors and walls"})
         EXPECT_NE(stage.control(title), nullptr) << title;
     EXPECT_TRUE(stage.shows(std::to_string(stage.derived.costs()[1].whole().divisions)));
+}
+
+TEST(Code, DoesNotNameTheGuiltyLineWhileAQuestionAsksForIt) {
+    auto document = std::make_shared<Document>(*floor_document());
+    Lesson lesson;
+    lesson.method = "backward-projective";
+    Beat beat;
+    beat.prediction = Prediction{"Which?", Prediction::Kind::line, {}, "guilty-line wrong_slope", "auto", 0};
+    lesson.beats = {beat, Beat{}};
+    document->lesson = lesson;
+    ViewStage stage({.method = "backward-projective", .variant = "as-printed", .step = "t0/s2/y15/x65"}, document);
+    const ui::Area tall{0, 0, 624, 2000};
+    stage.frame("code", tall);
+    EXPECT_TRUE(stage.shows("wrong_slope"));
+    EXPECT_FALSE(stage.shows("Q1"));
+    stage.state.cursor.beat = 1;
+    stage.frame("code", tall);
+    EXPECT_TRUE(stage.shows("Q1"));
 }
 
 TEST(PerspectiveViews, FitAndCanBeReadAtEverySizeOfText) {
