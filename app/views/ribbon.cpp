@@ -186,6 +186,8 @@ private:
         ui_.text_within(ui::Face::lead, {x, y}, area.right() - x, Role::text,
                         row_.others > 0 ? fmt::format(kOthers, row_.others, count) : fmt::format(kNoOthers, count));
         y += line;
+        // Exact numbers for a whole shape are too slow for each frame of a drag.
+        if (ui_.memory().active != 0) return;
         if (const auto shape = context_.derived.shape_error())
             ui_.text_within(ui::Face::prose, {area.x, y}, area.w, Role::muted,
                             fmt::format(kShape, shape->others, shape->pixels));
