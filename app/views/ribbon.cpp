@@ -68,7 +68,8 @@ public:
 
 private:
     [[nodiscard]] std::string scale_text(double value) const {
-        const int decimals = static_cast<int>(std::clamp(-std::floor(std::log10(end_)), 0.0, kMostDecimals));
+        const double needed = std::max(0.0, -std::floor(std::log10(end_)));
+        const int decimals = needed > kMostDecimals ? 0 : static_cast<int>(needed);
         return none_ && value != 0 ? std::string() : ui::format_number(value, decimals).text;
     }
     [[nodiscard]] float scale_width() const {
