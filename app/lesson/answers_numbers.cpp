@@ -11,7 +11,7 @@
 namespace texelscope::answers {
 namespace {
 
-constexpr int kMostCompared = 1 << 14;  ///< pixels of a shape's box: exact numbers are slow
+constexpr int kMostCompared = 1 << 11;  ///< pixels of a shape's box: exact numbers are slow
 constexpr double kOnePixel = 0.04;      ///< weights so near are those of the same place, to the eye
 
 using Texels = std::map<std::pair<Integer, Integer>, glm::ivec2>;  ///< by pixel

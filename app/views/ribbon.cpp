@@ -68,7 +68,8 @@ public:
 
 private:
     [[nodiscard]] std::string scale_text(double value) const {
-        const int decimals = static_cast<int>(std::clamp(-std::floor(std::log10(end_)), 0.0, kMostDecimals));
+        const double needed = std::max(0.0, -std::floor(std::log10(end_)));
+        const int decimals = needed > kMostDecimals ? 0 : static_cast<int>(needed);
         return none_ && value != 0 ? std::string() : ui::format_number(value, decimals).text;
     }
     [[nodiscard]] float scale_width() const {
@@ -186,6 +187,8 @@ private:
         ui_.text_within(ui::Face::lead, {x, y}, area.right() - x, Role::text,
                         row_.others > 0 ? fmt::format(kOthers, row_.others, count) : fmt::format(kNoOthers, count));
         y += line;
+        // Exact numbers for a whole shape are too slow for each frame of a drag.
+        if (ui_.memory().active != 0) return;
         if (const auto shape = context_.derived.shape_error())
             ui_.text_within(ui::Face::prose, {area.x, y}, area.w, Role::muted,
                             fmt::format(kShape, shape->others, shape->pixels));

@@ -107,7 +107,8 @@ TEST(Lessons, EveryQuirkChangesAPixelAndItsGuiltyLineIsPinned) {
             const QuirkInfo& quirk = method.quirks[static_cast<std::size_t>(quirk_number(method, id).value())];
             if (quirk.kind == QuirkKind::form) continue;
             const auto pictures_differ = [&](const VariantInfo& variant) {
-                const Drawing plain(document->scene, {&method, NumberFormat::f64, variant.quirks, {}});
+                const NumberFormat format = number_format(lesson.format).value_or(NumberFormat::f64);
+                const Drawing plain(document->scene, {&method, format, variant.quirks, {}});
                 const Drawing on(document->scene, with_quirks(plain, {{id, true}})),
                     off(document->scene, with_quirks(plain, {{id, false}}));
                 return render(on) != render(off) || write_counts(on) != write_counts(off);
