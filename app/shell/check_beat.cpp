@@ -15,12 +15,21 @@ namespace {
 
 constexpr std::string_view kLetters = "TGSPE";  ///< of the levels, as a lesson's `levels` has them
 
-/// Views that look for what only one method computes.
+/// Views that look for what only some methods compute: a row for each of these.
 struct Special {
     std::string_view view, method;
 };
-constexpr std::array<Special, 4> kSpecials{
-    {{"signs", "edge-equations"}, {"passes", "edge-equations"}, {"face", "sections"}, {"ring", "sections"}}};
+constexpr std::array<Special, 9> kSpecials{{
+    {"signs", "edge-equations"},
+    {"passes", "edge-equations"},
+    {"face", "sections"},
+    {"ring", "sections"},
+    {"strip", "sampling-1d"},
+    {"lockstep", "forward"},
+    {"lockstep", "backward-affine"},
+    {"lockstep", "backward-projective"},
+    {"buffer", "two-pass"},
+}};
 
 class BeatChecker {
 public:
@@ -115,11 +124,14 @@ private:
 std::vector<BeatFault> beat_faults(Store& store) { return BeatChecker(store).run(); }
 
 std::string view_fault(std::string_view view, const Method& method) {
-    const auto special =
-        std::find_if(kSpecials.begin(), kSpecials.end(), [view](const Special& s) { return s.view == view; });
-    if (special == kSpecials.end() || special->method == method.id) return {};
-    return fmt::format("views has '{}', which is for {}, but the lesson's method is {}", view, special->method,
-                       method.id);
+    std::string methods;
+    for (const Special& special : kSpecials) {
+        if (special.view != view) continue;
+        if (special.method == method.id) return {};
+        methods += fmt::format("{}{}", methods.empty() ? "" : ", ", special.method);
+    }
+    if (methods.empty()) return {};
+    return fmt::format("views has '{}', which is for {}, but the lesson's method here is {}", view, methods, method.id);
 }
 
 }  // namespace texelscope
