@@ -124,14 +124,13 @@ const Texture& Derived::texture() const {
 std::optional<glm::ivec2> Derived::pixel() const {
     const Path& step = cache_->state.cursor.step;
     const auto x = step.index_of('x'), y = step.index_of('y');
-    if (!x || !y) return std::nullopt;
-    return glm::ivec2(*x, *y);
+    if (x && y) return glm::ivec2(*x, *y);
+    if (step.unit().depth() < 4) return std::nullopt;
+    return whole_pair("x", "y");  // driven by the texture: known once it is computed
 }
 
-std::optional<Integer> Derived::row() const { return cache_->state.cursor.step.index_of('y'); }
-
-std::optional<glm::ivec2> Derived::texel() const {
-    std::optional<Integer> column, row;
+std::optional<glm::ivec2> Derived::whole_pair(std::string_view first, std::string_view second) const {
+    std::optional<Integer> a, b;
     const Visit& v = visit();
     const Path& step = cache_->state.cursor.step;
     const auto& own = v.unit().expressions;
@@ -141,12 +140,17 @@ std::optional<glm::ivec2> Derived::texel() const {
         const Named& named = v.tape.names[static_cast<std::size_t>(own[k])];
         const Value& value = v.tape.operations[static_cast<std::size_t>(named.operation)].value;
         const std::string name = named.name.text();
-        if (name == "column" && std::holds_alternative<Integer>(value)) column = std::get<Integer>(value);
-        if (name == "row" && std::holds_alternative<Integer>(value)) row = std::get<Integer>(value);
+        if (name == first && std::holds_alternative<Integer>(value)) a = std::get<Integer>(value);
+        if (name == second && std::holds_alternative<Integer>(value)) b = std::get<Integer>(value);
     }
-    if (!column || !row) return std::nullopt;
-    return glm::ivec2(*column, *row);
+    constexpr Integer kFarthest = 1 << 30;
+    if (!a || !b || std::abs(*a) > kFarthest || std::abs(*b) > kFarthest) return std::nullopt;
+    return glm::ivec2(*a, *b);
 }
+
+std::optional<Integer> Derived::row() const { return cache_->state.cursor.step.index_of('y'); }
+
+std::optional<glm::ivec2> Derived::texel() const { return whole_pair("column", "row"); }
 
 const std::vector<Variable>& Derived::variables() const {
     auto& found = cache_->of_step.variables;

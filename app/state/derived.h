@@ -73,6 +73,9 @@ struct Notice {
     std::string text;
 };
 
+struct Lockstep;       // app/state/lockstep.h
+struct TwoPassBuffer;  // core/method/two_pass_buffer.h
+
 class Derived {
 public:
     Derived();
@@ -111,6 +114,10 @@ public:
     [[nodiscard]] const LineCounts& line_counts() const;
     /// (u, v) of every sample of the current row of the current shape, in order: the path on the texture.
     [[nodiscard]] const std::vector<Sample>& row_samples() const;
+    /// The cursor's shape drawn by its texture and by the screen, after as many rows and columns of either.
+    [[nodiscard]] const Lockstep& lockstep() const;
+    /// What the first of two passes makes of the cursor's shape; without columns where it makes nothing.
+    [[nodiscard]] const TwoPassBuffer& two_pass_buffer() const;
     [[nodiscard]] const std::vector<Notice>& notices() const;
     [[nodiscard]] Highlight highlight(const Selection& selection) const;
     /// Every sample written to a pixel so far, oldest first.
@@ -122,6 +129,8 @@ public:
 
 private:
     [[nodiscard]] int first_needed() const;
+    /// Two whole numbers that the current unit has computed by now.
+    [[nodiscard]] std::optional<glm::ivec2> whole_pair(std::string_view first, std::string_view second) const;
     /// The canvas as it is before a shape's first sample, and which samples the shape is going to visit.
     [[nodiscard]] const CanvasPicture& canvas_before(int shape, const Window& window) const;
 

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "app/state/derived.h"
+#include "app/state/lockstep.h"
 #include "core/method/layer.h"
+#include "core/method/two_pass_buffer.h"
 
 namespace texelscope {
 
@@ -34,6 +36,7 @@ struct Derived::Cache {
             Grid<std::uint8_t> count;
         };
         std::optional<Hits> hits;
+        std::optional<std::pair<int, TwoPassBuffer>> buffer;            ///< of which shape
         std::map<std::pair<int, Integer>, std::vector<TickKind>> rows;  ///< of a shape's stage
     };
     /// Holds as long as the cursor stays.
@@ -44,6 +47,7 @@ struct Derived::Cache {
         std::optional<std::vector<Sample>> row;
         std::optional<CanvasPicture> canvas;
         std::optional<std::vector<Lane>> lanes;
+        std::optional<Lockstep> lockstep;
     };
     OfDrawing of_drawing;
     OfStep of_step;

@@ -9,7 +9,8 @@ constexpr std::size_t kMostEntries = 1000;
 
 /// Whether undo takes this action back.
 [[nodiscard]] bool is_edit(const Action& a) {
-    return std::holds_alternative<action::MoveVertex>(a) || std::holds_alternative<action::SetFormat>(a) ||
+    return std::holds_alternative<action::MoveVertex>(a) || std::holds_alternative<action::MoveShape>(a) ||
+           std::holds_alternative<action::SetQuirks>(a) || std::holds_alternative<action::SetFormat>(a) ||
            std::holds_alternative<action::SetMode>(a) || std::holds_alternative<action::SetVariant>(a) ||
            std::holds_alternative<action::SetQuirk>(a) || std::holds_alternative<action::SetMethod>(a) ||
            std::holds_alternative<action::SetTexture>(a) || std::holds_alternative<action::Reset>(a) ||
@@ -24,7 +25,8 @@ void Store::dispatch(const Action& action) {
     if (std::holds_alternative<action::Open>(action)) past_.clear(), future_.clear();
 
     const auto* move = std::get_if<action::MoveVertex>(&action);
-    const int gesture = move != nullptr ? move->gesture : 0;
+    const auto* whole = std::get_if<action::MoveShape>(&action);
+    const int gesture = move != nullptr ? move->gesture : whole != nullptr ? whole->gesture : 0;
     Entry before{state_.work, state_.cursor, gesture};
     state_ = reduce(state_, action, derived_);
     if (!is_edit(action) || (before.work == state_.work && before.cursor == state_.cursor)) return;
