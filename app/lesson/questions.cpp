@@ -18,7 +18,7 @@ namespace {
 
 using Kind = Prediction::Kind;
 
-constexpr std::array<Question, 17> kQuestions{{
+constexpr std::array<Question, 22> kQuestions{{
     {"pixel-of-byte", "N", Kind::pixel, "", "", false, "the pixel whose byte N is, three bytes a pixel, row by row",
      answers::pixel_of_byte},
     {"byte-of-pixel", "X Y C", Kind::number, "", "", false, "the byte of channel C of pixel X, Y",
@@ -48,10 +48,19 @@ constexpr std::array<Question, 17> kQuestions{{
      "which pointer moves at the end of the step's section", answers::next_pointer},
     {"ghost", "", Kind::pixel, "", "sections", false, "a pixel that a stale slot of the row buffer was drawn to",
      answers::ghost},
+    {"indices", "", Kind::number, "", "sampling-1d", true, "the texels that the row takes in turn, a digit each",
+     answers::indices},
+    {"index-beyond", "", Kind::number, "", "sampling-1d", true,
+     "the first index of the row that is outside of the texture", answers::index_beyond},
+    {"hole-share", "", Kind::number, "", "forward", false,
+     "how many percent of the shape's pixels stay empty, 2.5 either way", answers::hole_share},
+    {"hole", "N", Kind::pixel, "", "forward", false, "N pixels of the shape that stay empty", answers::hole},
+    {"buffer-width", "SHAPE", Kind::number, "", "two-pass", false,
+     "how many columns of tmp a row of the shape's texels takes up, 0.5 either way", answers::buffer_width},
 }};
 
 constexpr std::string_view kPlaces = "Mark it first: point, or move there with I and the arrows.";
-constexpr std::string_view kChoose = "Choose first.", kType = "Type a number first.",
+constexpr std::string_view kChoose = "Choose first.", kType = "Type a number first.", kMore = "Mark {} of them first.",
                            kNotANumber = "'{}' is not a number.";
 
 [[nodiscard]] std::vector<std::string_view> divided(std::string_view text, char by) {
@@ -196,6 +205,7 @@ Grade grade(const Prediction& asked, const Answer& answer, const Accepted& accep
     }
     const auto& right = accepted.places;
     if (answer.places.empty()) return right.empty() ? of(true, accepted.step) : open(std::string(kPlaces));
+    if (static_cast<int>(answer.places.size()) < accepted.least) return open(fmt::format(kMore, accepted.least));
     return of(
         std::all_of(answer.places.begin(), answer.places.end(),
                     [&](glm::ivec2 place) { return std::find(right.begin(), right.end(), place) != right.end(); }),

@@ -59,7 +59,7 @@ Result<BeatSettings> read_settings(const std::vector<TomlEntry>& entries, const 
     std::vector<std::string_view> ids;
     for (const Method* method : methods()) ids.push_back(method->id);
     set.method = fields.name_among("method", ids);
-    if (set.method) words.method = find_method(*set.method);
+    if (const Method* found = set.method ? find_method(*set.method) : nullptr) words.method = found;
     if (const auto step = fields.text("step")) {
         set.step = parse_path(*step);
         if (!set.step) fields.fail("step", fault_of_path(*step, "t0/s5/y11/x7/e2"));

@@ -13,7 +13,7 @@ struct Meaning {
     std::string_view name, text;
 };
 /// By the whole name; `#` stands for a corner's number, `@` for a side's letter.
-constexpr std::array<Meaning, 61> kMeanings{{
+constexpr std::array<Meaning, 68> kMeanings{{
     {"x_#", "corner #'s distance from the screen's left border [px]"},
     {"y_#", "corner #'s distance from the screen's top border [px]"},
     {"u_#", "corner #'s column on the texture [texels]"},
@@ -75,6 +75,13 @@ constexpr std::array<Meaning, 61> kMeanings{{
     {"du", "how much $u$ grows from pixel to pixel [texels]"},
     {"dv", "how much $v$ grows from pixel to pixel [texels]"},
     {"dx", "the row's width [px]"},
+    {"ratio", "texels for each pixel of the row [texels/px]"},
+    {"start", "where on the texture the row's first pixel samples [texels]"},
+    {"begin", "the row's first pixel on the screen, before it is cut [px]"},
+    {"n", "how many pixels lie before this one in its row"},
+    {"u_c", "the middle of the texel, along its row [texels]"},
+    {"v_c", "the middle of the texel, down the texture [texels]"},
+    {"tmp", "the column of the texel that the buffer holds here"},
 }};
 
 constexpr std::string_view kDragHint = "Drag to change it.";

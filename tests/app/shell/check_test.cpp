@@ -20,8 +20,8 @@ struct Fault {
 };
 
 const std::vector<Fault> kFaults{
-    {"UnknownView", "\"texels\", \"code\"", "\"texel\", \"code\"", 6, "has 'texel', expected bytes, code,"},
-    {"CanvasIsNoSideView", "\"texels\", \"code\"", "\"canvas\", \"code\"", 6, "has 'canvas', expected bytes"},
+    {"UnknownView", "\"texels\", \"code\"", "\"texel\", \"code\"", 6, "has 'texel', expected buffer, bytes, code,"},
+    {"CanvasIsNoSideView", "\"texels\", \"code\"", "\"canvas\", \"code\"", 6, "has 'canvas', expected buffer"},
     {"ViewTwice", "\"texels\", \"code\"", "\"code\", \"code\"", 6, "has 'code' twice"},
     {"ViewOfAnotherMethod", "\"texels\", \"code\"", "\"texels\", \"code\", \"ring\"", 6,
      "'ring', which is for sections"},

@@ -78,10 +78,7 @@ TEST(Lockstep, BothWaysHaveDoneAsManyRowsAndColumns) {
 
 TEST(Lockstep, TheShorterLoopIsDoneWhileTheLongerGoesOn) {
     DrawnScene drawn(turned_scene(64, 64, 0, 1.5), "backward-affine");
-    const Path first = drawn.steps->first(Level::scanline).value();
-    Path late = first;
-    late.parts[2].index += 80;
-    const Lockstep l = make_lockstep(*drawn.drawing, *drawn.steps, late);
+    const Lockstep l = lockstep(drawn, "t0/s2/y92");
     EXPECT_EQ(so_far(l).forward, 4096);
     EXPECT_EQ(so_far(l).backward, 81 * 96);
     EXPECT_FALSE(l.done);
