@@ -231,7 +231,7 @@ private:
         const bool now = current(s);
         const glm::vec2 a(from.centre().x, from.y - 2),
             b(x_of(std::clamp(s.u, double(row_.low), double(row_.high))), texels_y_ + height_ + 2);
-        if (now) ui::line(ui_.list(), a, b, 5, theme_.outline);
+        if (now) ui::line(ui_.list(), a, b, 5, theme_.panel);
         ui::arrow(ui_.list(), a, b, now ? 2.5F : 1.4F, theme_[now ? Role::now : Role::muted], ui_.px(now ? 9 : 6));
     }
 

@@ -155,6 +155,18 @@ TEST(LockstepView, ThePixelThatATexelFallsOnIsTheCursors) {
     EXPECT_EQ(stage.derived.pixel(), std::nullopt) << "not computed yet";
 }
 
+TEST(BufferView, ThePixelThatTheSecondPassWritesIsTheCursorsAsPrintedToo) {
+    for (const char* variant : {"as-printed", "corrected"}) {
+        ViewStage stage({.method = "two-pass", .variant = variant}, document_of(turned_scene(16, 16, 0, 1)));
+        stage.go(std::string(variant) == "corrected" ? "t0/s4/x60/y58" : "t0/s4/x60/v6");
+        stage.derived.update(stage.state);
+        EXPECT_EQ(stage.derived.pixel(), glm::ivec2(60, 58)) << variant;
+        EXPECT_EQ(stage.derived.texel(), glm::ivec2(8, 6)) << variant;
+        stage.frame("buffer", kLarge);
+        EXPECT_TRUE(stage.shows("16 of 16 columns")) << variant;
+    }
+}
+
 TEST(BufferView, SaysHowWideTheBufferIs) {
     for (const auto& [degrees, text] : std::vector<std::pair<double, std::string>>{
              {60, "32 of 64 columns"}, {75, "16.6 of 64 columns"}, {90, "0 of 64 columns"}}) {
