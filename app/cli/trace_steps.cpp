@@ -135,10 +135,13 @@ std::optional<Value> value_of(const Visit& visit, std::string_view name) {
 }
 
 std::optional<Place> place_of(const Visit& visit) {
-    const auto x = value_of(visit, "x"), y = value_of(visit, "y");
-    if (x && y && std::holds_alternative<Integer>(*x) && std::holds_alternative<Integer>(*y))
-        return Place{std::get<Integer>(*x), std::get<Integer>(*y)};
-    const auto column = visit.path.index_of('x'), row = visit.path.index_of('y');
+    // What it computed counts before the round that it runs in: methods that write forward compute where to.
+    const auto along = [&](std::string_view name) -> std::optional<Integer> {
+        const auto computed = value_of(visit, name);
+        if (computed && std::holds_alternative<Integer>(*computed)) return std::get<Integer>(*computed);
+        return visit.path.index_of(name[0]);
+    };
+    const auto column = along("x"), row = along("y");
     if (column && row) return Place{*column, *row};
     return std::nullopt;
 }

@@ -42,5 +42,11 @@ namespace texelscope::answers {
 [[nodiscard]] Accepted visible_faces(const Asked& asked);
 [[nodiscard]] Accepted cut_corners(const Asked& asked);
 [[nodiscard]] Accepted cut_weight(const Asked& asked);
+// Which texels a row takes, what forward leaves empty, how wide a buffer is (answers_sampling.cpp).
+[[nodiscard]] Accepted indices(const Asked& asked);
+[[nodiscard]] Accepted index_beyond(const Asked& asked);
+[[nodiscard]] Accepted hole_share(const Asked& asked);
+[[nodiscard]] Accepted hole(const Asked& asked);
+[[nodiscard]] Accepted buffer_width(const Asked& asked);
 
 }  // namespace texelscope::answers

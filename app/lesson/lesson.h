@@ -41,6 +41,7 @@ struct KeyLines {
 struct BeatSettings {
     std::optional<Path> step;
     std::optional<Level> level;
+    std::optional<std::string> method;                 ///< id; without `variant` it is the corrected one
     std::optional<std::string> number, variant;        ///< ids
     std::vector<std::pair<std::string, bool>> quirks;  ///< id or field, on
     /// "pixel 16,11", "texel 7,9", "name u_x", "line quirk.inclusive"; of this beat alone.

@@ -62,6 +62,7 @@ namespace {
     std::string out;
     if (set.step) out += pair("step", toml_text(set.step->text()));
     if (set.level) out += pair("level", toml_text(id_of(*set.level)));
+    if (set.method) out += pair("method", toml_text(*set.method));
     if (set.number) out += pair("number", toml_text(*set.number));
     if (set.variant) out += pair("variant", toml_text(*set.variant));
     std::string quirks;

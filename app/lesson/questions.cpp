@@ -65,10 +65,19 @@ constexpr auto kQuestions = std::to_array<Question>({
      "which pairs of opposite corners of the small jelly cube lie outside the big one", answers::cut_corners},
     {"cut-weight", "OUTSIDE INSIDE", Kind::number, "", "", false,
      "the weight of the end at OUTSIDE in the cut at 1; 0.01 either way", answers::cut_weight},
+    {"indices", "", Kind::number, "", "sampling-1d", true, "the texels that the row takes in turn, a digit each",
+     answers::indices},
+    {"index-beyond", "", Kind::number, "", "sampling-1d", true,
+     "the first index of the row that is outside of the texture", answers::index_beyond},
+    {"hole-share", "", Kind::number, "", "forward", false,
+     "how many percent of the shape's pixels stay empty, 2.5 either way", answers::hole_share},
+    {"hole", "N", Kind::pixel, "", "forward", false, "N pixels of the shape that stay empty", answers::hole},
+    {"buffer-width", "SHAPE", Kind::number, "", "two-pass", false,
+     "how many columns of tmp a row of the shape's texels takes up, 0.5 either way", answers::buffer_width},
 });
 
 constexpr std::string_view kPlaces = "Mark it first: point, or move there with I and the arrows.";
-constexpr std::string_view kChoose = "Choose first.", kType = "Type a number first.",
+constexpr std::string_view kChoose = "Choose first.", kType = "Type a number first.", kMore = "Mark {} of them first.",
                            kNotANumber = "'{}' is not a number.";
 
 [[nodiscard]] std::vector<std::string_view> divided(std::string_view text, char by) {
@@ -214,6 +223,7 @@ Grade grade(const Prediction& asked, const Answer& answer, const Accepted& accep
     }
     const auto& right = accepted.places;
     if (answer.places.empty()) return right.empty() ? of(true, accepted.step) : open(std::string(kPlaces));
+    if (static_cast<int>(answer.places.size()) < accepted.least) return open(fmt::format(kMore, accepted.least));
     return of(
         std::all_of(answer.places.begin(), answer.places.end(),
                     [&](glm::ivec2 place) { return std::find(right.begin(), right.end(), place) != right.end(); }),

@@ -25,6 +25,7 @@ struct Accepted {
     std::optional<double> number{};    ///< nothing: the scene has no such number, and an empty answer is right
     double tolerance = 0;              ///< of the number, either way
     std::vector<glm::ivec2> places{};  ///< any of these; a line is {line, 0}; none: an empty answer is right
+    int least = 1;                     ///< so many of `places`, at least
     Path step{};                       ///< that explains a wrong answer
     std::vector<Path> option_steps{};  ///< the same for each option, where they differ
     std::string sentence{};            ///< why it is so, with $mathematics$

@@ -51,10 +51,15 @@ void demand_pin(Fields& fields, const std::string& pin, const Method& method) {
                        leaps ? fmt::format(": a stage (/s0) must stand behind {}", shape->text()) : "");
 }
 
+/// @param words  from here on those of the method that the block sets.
 Result<BeatSettings> read_settings(const std::vector<TomlEntry>& entries, const std::string& file, int line,
-                                   const Vocabulary& words) {
+                                   Vocabulary& words) {
     Fields fields(entries, file, "the set block", line);
     BeatSettings set;
+    std::vector<std::string_view> ids;
+    for (const Method* method : methods()) ids.push_back(method->id);
+    set.method = fields.name_among("method", ids);
+    if (const Method* found = set.method ? find_method(*set.method) : nullptr) words.method = found;
     if (const auto step = fields.text("step")) {
         set.step = parse_path(*step);
         if (!set.step) fields.fail("step", fault_of_path(*step, "t0/s5/y11/x7/e2"));
@@ -175,6 +180,8 @@ private:
         if (!entries) return entries.error();
         auto set = read_settings(*entries, file_, block.line, words_);
         if (!set) return set.error();
+        if (set->method && beats_.back().prediction)
+            return fault(block.line, "sets a method behind the predict block, which is about it: expected before it");
         beats_.back().set = *std::move(set);
         has_settings_ = true;
         return std::nullopt;
@@ -190,7 +197,7 @@ private:
     }
 
     const std::string& file_;
-    const Vocabulary& words_;
+    Vocabulary words_;  ///< those of the beat's method
     std::vector<Beat> beats_;
     bool has_settings_ = false;
 };

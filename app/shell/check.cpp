@@ -48,15 +48,22 @@ private:
     }
 
     void check_views() {
-        const Method& method = *find_method(lesson().method);
-        const auto check = [&](const std::vector<std::string>& views, const KeyLines& lines) {
+        const Method* method = find_method(lesson().method);
+        const auto check = [&](const std::vector<std::string>& views, int line) {
             for (const std::string& view : views) {
-                for (const std::string& what : {view_fault(view, method), view_fault(view, document_->scene)})
-                    if (!what.empty()) fault(lines.of("views"), what);
+                for (const std::string& what : {view_fault(view, *method), view_fault(view, document_->scene)})
+                    if (!what.empty()) fault(line, what);
             }
         };
-        check(lesson().views, lesson().lines);
-        for (const Beat& beat : lesson().beats) check(beat.set.views, beat.set.lines);
+        check(lesson().views, lesson().lines.of("views"));
+        std::vector<std::string> views = lesson().views;
+        for (const Beat& beat : lesson().beats) {
+            if (beat.set.method) method = find_method(*beat.set.method);
+            if (!beat.set.views.empty()) views = beat.set.views;
+            const KeyLines& lines = beat.set.lines;
+            if (beat.set.method || !beat.set.views.empty())
+                check(views, lines.of(lines.has("views") ? "views" : "method"));
+        }
     }
 
     void check_beats() {

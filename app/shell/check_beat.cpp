@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kLetters = "TGSPE";  ///< of the levels, as a lesson's `levels` has them
 
-/// Views that look for what only one method computes.
+/// Views that look for what only some methods compute: a row for each of these.
 struct Special {
     std::string_view view, method;
 };
@@ -29,6 +29,11 @@ constexpr auto kSpecials = std::to_array<Special>({
     {"matrix", "constant-z"},
     {"walk", "edge-walk"},
     {"weights", "barycentric"},
+    {"strip", "sampling-1d"},
+    {"lockstep", "forward"},
+    {"lockstep", "backward-affine"},
+    {"lockstep", "backward-projective"},
+    {"buffer", "two-pass"},
 });
 
 /// Views that show a part of the scene that not every scene has.
@@ -145,7 +150,7 @@ std::string view_fault(std::string_view view, const Method& method) {
         methods += fmt::format("{}{}", methods.empty() ? "" : " or ", special.method);
     }
     if (methods.empty()) return {};
-    return fmt::format("views has '{}', which is for {}, but the lesson's method is {}", view, methods, method.id);
+    return fmt::format("views has '{}', which is for {}, but the lesson's method here is {}", view, methods, method.id);
 }
 
 std::string view_fault(std::string_view view, const Scene& scene) {

@@ -58,6 +58,12 @@ struct MoveVertex {
     glm::vec2 to;
     int gesture = 0;
 };  ///< moves of one gesture are one undo entry
+/// All corners of a polygon on the screen at once: turned or scaled, it stays convex where one by one it would not.
+struct MoveShape {
+    int polygon = 0;
+    std::vector<glm::vec2> to;  ///< one for each vertex
+    int gesture = 0;
+};
 struct ChooseHandle {
     Handle handle;
 };
@@ -102,6 +108,9 @@ struct SetQuirk {
     int index;
     bool on;
 };
+struct SetQuirks {
+    QuirkSet quirks;
+};  ///< all at once, as one entry to undo
 struct SetMethod {
     std::string id;
 };
@@ -152,11 +161,12 @@ struct Restore {
 using Action =
     std::variant<action::Open, action::Reload, action::Say, action::Step, action::StepTo, action::StepEnd,
                  action::Advance, action::SetLevel, action::Finer, action::StepIn, action::FinishUnit, action::Play,
-                 action::Speed, action::ToggleBookmark, action::GoToBookmark, action::MoveVertex, action::ChooseHandle,
-                 action::Turn, action::ChooseTurning, action::SetRatio, action::SetFocal, action::SetFrame,
-                 action::PlayFrames, action::FrameRate, action::SetFormat, action::SetMode, action::SetVariant,
-                 action::SetQuirk, action::SetMethod, action::SetTexture, action::Choose, action::Type, action::Point,
-                 action::Check, action::Skip, action::Hover, action::Pin, action::SetLook, action::Show,
-                 action::ChooseLesson, action::Escape, action::Undo, action::Redo, action::Reset, action::Restore>;
+                 action::Speed, action::ToggleBookmark, action::GoToBookmark, action::MoveVertex, action::MoveShape,
+                 action::ChooseHandle, action::Turn, action::ChooseTurning, action::SetRatio, action::SetFocal,
+                 action::SetFrame, action::PlayFrames, action::FrameRate, action::SetFormat, action::SetMode,
+                 action::SetVariant, action::SetQuirk, action::SetQuirks, action::SetMethod, action::SetTexture,
+                 action::Choose, action::Type, action::Point, action::Check, action::Skip, action::Hover, action::Pin,
+                 action::SetLook, action::Show, action::ChooseLesson, action::Escape, action::Undo, action::Redo,
+                 action::Reset, action::Restore>;
 
 }  // namespace texelscope

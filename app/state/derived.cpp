@@ -46,6 +46,20 @@ namespace {
     return best;
 }
 
+/// A whole number that the step's unit has computed by now, or else the round of its loop that is called so.
+[[nodiscard]] std::optional<Integer> whole_number(const Visit& v, const Path& step, std::string_view name) {
+    std::optional<Integer> found = name.size() == 1 ? step.index_of(name[0]) : std::nullopt;
+    const auto& own = v.unit().expressions;
+    const std::size_t end =
+        step.at_expression() ? std::min(own.size(), static_cast<std::size_t>(step.parts.back().index) + 1) : own.size();
+    for (std::size_t k = 0; k < end; ++k) {
+        const Named& named = v.tape.names[static_cast<std::size_t>(own[k])];
+        const Value& value = v.tape.operations[static_cast<std::size_t>(named.operation)].value;
+        if (named.name.text() == name && std::holds_alternative<Integer>(value)) found = std::get<Integer>(value);
+    }
+    return found;
+}
+
 }  // namespace
 
 Derived::Derived() : cache_(std::make_unique<Cache>()) {}
@@ -132,29 +146,22 @@ const Texture& Derived::texture() const {
 std::optional<glm::ivec2> Derived::pixel() const {
     const Path& step = cache_->state.cursor.step;
     const auto x = step.index_of('x'), y = step.index_of('y');
-    if (!x || !y) return std::nullopt;
-    return glm::ivec2(*x, *y);
+    if (x && y) return glm::ivec2(*x, *y);
+    if (step.unit().depth() < 4) return std::nullopt;
+    return whole_pair("x", "y");  // driven by what it reads: known once it is computed
+}
+
+std::optional<glm::ivec2> Derived::whole_pair(std::string_view first, std::string_view second) const {
+    const Path& step = cache_->state.cursor.step;
+    const auto a = whole_number(visit(), step, first), b = whole_number(visit(), step, second);
+    constexpr Integer kFarthest = 1 << 30;
+    if (!a || !b || std::abs(*a) > kFarthest || std::abs(*b) > kFarthest) return std::nullopt;
+    return glm::ivec2(*a, *b);
 }
 
 std::optional<Integer> Derived::row() const { return cache_->state.cursor.step.index_of('y'); }
 
-std::optional<glm::ivec2> Derived::texel() const {
-    std::optional<Integer> column, row;
-    const Visit& v = visit();
-    const Path& step = cache_->state.cursor.step;
-    const auto& own = v.unit().expressions;
-    const std::size_t end =
-        step.at_expression() ? std::min(own.size(), static_cast<std::size_t>(step.parts.back().index) + 1) : own.size();
-    for (std::size_t k = 0; k < end; ++k) {
-        const Named& named = v.tape.names[static_cast<std::size_t>(own[k])];
-        const Value& value = v.tape.operations[static_cast<std::size_t>(named.operation)].value;
-        const std::string name = named.name.text();
-        if (name == "column" && std::holds_alternative<Integer>(value)) column = std::get<Integer>(value);
-        if (name == "row" && std::holds_alternative<Integer>(value)) row = std::get<Integer>(value);
-    }
-    if (!column || !row) return std::nullopt;
-    return glm::ivec2(*column, *row);
-}
+std::optional<glm::ivec2> Derived::texel() const { return whole_pair("column", "row"); }
 
 const std::vector<Variable>& Derived::variables() const {
     auto& found = cache_->of_step.variables;

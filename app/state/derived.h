@@ -106,6 +106,8 @@ struct ShapeError {
     double most = 0;  ///< greatest |error| of u or v [texels]
 };
 inline constexpr Integer kMaxCompared = 4096;  ///< pixels of a shape's box; exact numbers are slow
+struct Lockstep;                               // app/state/lockstep.h
+struct TwoPassBuffer;                          // core/method/two_pass_buffer.h
 
 class Derived {
 public:
@@ -165,6 +167,10 @@ public:
     [[nodiscard]] const RowError& row_error() const;
     /// The current shape against exact arithmetic; nothing where its box has more than kMaxCompared pixels.
     [[nodiscard]] std::optional<ShapeError> shape_error() const;
+    /// The cursor's shape drawn by its texture and by the screen, after as many rows and columns of either.
+    [[nodiscard]] const Lockstep& lockstep() const;
+    /// What the first of two passes makes of the cursor's shape; without columns where it makes nothing.
+    [[nodiscard]] const TwoPassBuffer& two_pass_buffer() const;
     [[nodiscard]] const std::vector<Notice>& notices() const;
     [[nodiscard]] Highlight highlight(const Selection& selection) const;
     /// Every sample written to a pixel so far, oldest first.
@@ -176,6 +182,8 @@ public:
 
 private:
     [[nodiscard]] int first_needed() const;
+    /// Two whole numbers that the current unit has computed by now.
+    [[nodiscard]] std::optional<glm::ivec2> whole_pair(std::string_view first, std::string_view second) const;
     /// The canvas as it is before a shape's first sample, and which samples the shape is going to visit.
     [[nodiscard]] const CanvasPicture& canvas_before(int shape, const Window& window) const;
 

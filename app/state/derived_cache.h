@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "app/state/derived.h"
+#include "app/state/lockstep.h"
 #include "core/method/layer.h"
+#include "core/method/two_pass_buffer.h"
 
 namespace texelscope {
 
@@ -46,6 +48,7 @@ struct Derived::Cache {
         std::map<std::pair<int, Integer>, std::vector<TickKind>> rows;   ///< of a shape's stage
         std::optional<std::pair<int, std::vector<WalkedRow>>> walked;    ///< of a shape
         std::optional<std::pair<int, std::optional<ShapeError>>> error;  ///< of a shape
+        std::optional<std::pair<int, TwoPassBuffer>> buffer;             ///< of which shape
     };
     /// Holds as long as the cursor stays.
     struct OfStep {
@@ -57,6 +60,7 @@ struct Derived::Cache {
         std::optional<CanvasPicture> canvas;
         std::optional<std::vector<Lane>> lanes;
         std::optional<std::vector<MethodCost>> costs;
+        std::optional<Lockstep> lockstep;
     };
     OfDrawing of_drawing;
     OfStep of_step;

@@ -1,5 +1,6 @@
 // The canvas' picture at the cursor's step, lanes of the timeline, and the samples of the current row.
 #include <algorithm>
+#include <cmath>
 
 #include "app/state/derived_cache.h"
 #include "core/method/blend.h"
@@ -17,7 +18,12 @@ constexpr std::int64_t kMostCounted = 1 << 20;  ///< samples: counting more woul
 /// Whether the sample is the cursor's own and its unit is not finished: it has not reached the framebuffer yet.
 [[nodiscard]] bool unfinished(const Cursor& cursor, const Visit& visit, int shape, const Sample& s) {
     const Path& step = cursor.step;
-    if (!step.at_expression() || step.index_of('x') != s.x || step.index_of('y') != s.y) return false;
+    if (!step.at_expression() || step.parts.size() < 5) return false;
+    const auto is_own = [&](const PathPart& part) {  // of pixels, or of texels where these drive
+        if (part.letter == 'x' || part.letter == 'y') return part.index == (part.letter == 'x' ? s.x : s.y);
+        return static_cast<double>(part.index) == std::floor(part.letter == 'u' ? s.u : s.v);
+    };
+    if (!is_own(step.parts[2]) || !is_own(step.parts[3])) return false;
     return step.parts[0].index == shape &&
            step.parts.back().index + 1 < static_cast<Integer>(visit.unit().expressions.size());
 }

@@ -33,10 +33,11 @@ namespace {
 }
 
 void apply(State& state, const BeatSettings& set, std::optional<Path>& step) {
+    if (set.method) state.work.method = *set.method;
     const Method& method = *find_method(state.work.method);
-    if (set.variant) {
-        state.work.variant = *set.variant;
-        state.work.quirks = quirks_of(method, *set.variant);
+    if (set.method || set.variant) {
+        state.work.variant = set.variant.value_or(std::string(method.variants.back().id));
+        state.work.quirks = quirks_of(method, state.work.variant);
     }
     if (set.number) state.work.format = number_format(*set.number).value_or(state.work.format);
     for (const auto& [id, on] : set.quirks) {

@@ -130,15 +130,21 @@ public:
             s_.message = {std::string(kConvex)};
             return;
         }
-        auto& edits = s_.work.edits;
-        const auto place =
-            std::lower_bound(edits.begin(), edits.end(), std::pair(polygon, vertex),
-                             [](const VertexEdit& e, const auto& key) { return std::pair(e.polygon, e.vertex) < key; });
-        if (place != edits.end() && place->polygon == polygon && place->vertex == vertex)
-            place->value = value;
-        else
-            edits.insert(place, {polygon, vertex, value});
+        put({polygon, vertex, value});
         s_.handle = a.handle;
+        settle();
+    }
+    void operator()(const action::MoveShape& a) {
+        const auto& polygons = derived_.scene().polygons;
+        if (a.polygon < 0 || a.polygon >= static_cast<int>(polygons.size())) return;
+        std::vector<Vertex> vertices = polygons[static_cast<std::size_t>(a.polygon)].vertices;
+        if (vertices.size() != a.to.size()) return;
+        for (std::size_t n = 0; n < vertices.size(); ++n) {
+            if (!std::isfinite(a.to[n].x) || !std::isfinite(a.to[n].y)) return;
+            vertices[n].x = std::clamp(a.to[n].x, -kFarthest, kFarthest);
+            vertices[n].y = std::clamp(a.to[n].y, -kFarthest, kFarthest);
+        }
+        for (std::size_t n = 0; n < vertices.size(); ++n) put({a.polygon, static_cast<int>(n), vertices[n]});
         settle();
     }
     void operator()(const action::ChooseHandle& a) { s_.handle = a.handle; }
@@ -190,6 +196,11 @@ public:
         if (a.index < 0 || a.index >= static_cast<int>(derived_.method().quirks.size())) return;
         const QuirkSet bit = QuirkSet{1} << a.index;
         s_.work.quirks = a.on ? s_.work.quirks | bit : s_.work.quirks & ~bit;
+        settle();
+    }
+    void operator()(const action::SetQuirks& a) {
+        const std::size_t count = derived_.method().quirks.size();
+        s_.work.quirks = a.quirks & ((QuirkSet{1} << count) - 1);
         settle();
     }
     void operator()(const action::SetMethod& a) {
@@ -279,6 +290,17 @@ public:
     }
 
 private:
+    /// The corner stands there from now on.
+    void put(const VertexEdit& edit) {
+        auto& edits = s_.work.edits;
+        const auto place =
+            std::lower_bound(edits.begin(), edits.end(), std::pair(edit.polygon, edit.vertex),
+                             [](const VertexEdit& e, const auto& key) { return std::pair(e.polygon, e.vertex) < key; });
+        if (place != edits.end() && place->polygon == edit.polygon && place->vertex == edit.vertex)
+            place->value = edit.value;
+        else
+            edits.insert(place, edit);
+    }
     /// Whether a method that takes convex polygons would no longer be given one.
     [[nodiscard]] bool bends_inwards(std::vector<Vertex> corners, std::size_t moved, const Vertex& to) const {
         if (derived_.method().triangles || !std::all_of(corners.begin(), corners.end(), is_finite)) return false;

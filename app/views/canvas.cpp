@@ -123,6 +123,7 @@ void draw(const ViewContext& ctx, const ui::Area& place) {
                 picture,
                 about_sides(ctx),
                 has_sections(ctx.derived),
+                future_is_secret(ctx.state),
                 sample_offset(ctx.state, ctx.derived),
                 LabelPlaces(area)};
 

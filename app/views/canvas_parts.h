@@ -19,6 +19,7 @@ struct Sheet {
     const CanvasPicture& picture;
     bool planes = false;    ///< the three half-planes in place of the texture's colours
     bool sections = false;  ///< the sections of a convex polygon
+    bool secret = false;    ///< what is to come is not shown
     double sample = 0;      ///< where in its pixel the method samples, along both axes [px]
     LabelPlaces labels;
 

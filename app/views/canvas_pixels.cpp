@@ -34,7 +34,7 @@ constexpr float kCoveredFill = .66F, kRejectedFill = .85F, kEarlierFill = .30F, 
         return rgba(sheet.color(covered ? Role::covered : Role::rejected), covered ? kCoveredFill : kRejectedFill);
     }
     if (cell.written) return rgba(cell.now, 1);
-    if (cell.will_be_written) return rgba(cell.later, ui::alpha::kNotYet);
+    if (cell.will_be_written && !sheet.secret) return rgba(cell.later, ui::alpha::kNotYet);
     return empty;
 }
 

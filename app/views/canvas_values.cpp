@@ -52,7 +52,10 @@ Pointing pointing(const State& state, Prediction::Kind kind) {
     return found;
 }
 
-bool pixel_question_ahead(const State& state) {
+namespace {
+
+/// Whether a prediction that `is` so is still open, in this beat or a later one.
+[[nodiscard]] bool open_ahead(const State& state, auto&& is) {
     if (!state.document || !state.document->lesson) return false;
     const std::vector<Beat>& beats = state.document->lesson->beats;
     const auto settled = [&](int beat) {
@@ -63,9 +66,21 @@ bool pixel_question_ahead(const State& state) {
     };
     for (int n = state.cursor.beat; n < static_cast<int>(beats.size()); ++n) {
         const auto& asked = beats[static_cast<std::size_t>(n)].prediction;
-        if (asked && asked->kind == Prediction::Kind::pixel && !settled(n)) return true;
+        if (asked && is(*asked) && !settled(n)) return true;
     }
     return false;
+}
+
+}  // namespace
+
+bool pixel_question_ahead(const State& state) {
+    return open_ahead(state, [](const Prediction& asked) { return asked.kind == Prediction::Kind::pixel; });
+}
+
+bool future_is_secret(const State& state) {
+    return open_ahead(state, [](const Prediction& asked) {
+        return asked.answer.rfind("hole", 0) == 0 || asked.answer.rfind("indices", 0) == 0;
+    });
 }
 
 bool may_drag(const State& state, bool texture) {

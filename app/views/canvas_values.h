@@ -27,6 +27,9 @@ struct Pointing {
 /// A pixel is asked for, here or later in the lesson, and the answer is still open: nothing may point at it.
 [[nodiscard]] bool pixel_question_ahead(const State& state);
 
+/// A hole, or a row's texels, are asked for, here or later: the picture to come would give them away.
+[[nodiscard]] bool future_is_secret(const State& state);
+
 /// Whether the lesson lets corners be moved on the screen, or on the texture. Without a lesson both may.
 [[nodiscard]] bool may_drag(const State& state, bool texture);
 /// Corners are no subject of the lesson: neither handles nor names are drawn.

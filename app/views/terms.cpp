@@ -13,7 +13,7 @@ struct Meaning {
     std::string_view name, text;
 };
 /// By the whole name; `#` stands for a corner's number, `@` for a side's letter.
-constexpr std::array<Meaning, 68> kMeanings{{
+constexpr auto kMeanings = std::to_array<Meaning>({
     {"x_#", "corner #'s distance from the screen's left border [px]"},
     {"y_#", "corner #'s distance from the screen's top border [px]"},
     {"u_#", "corner #'s column on the texture [texels]"},
@@ -82,7 +82,14 @@ constexpr std::array<Meaning, 68> kMeanings{{
     {"e_#", "corner #'s weight: 1 at it, 0 on the side across from it"},
     {"part_#", "the area between the sample and the side across from corner # [px²]"},
     {"in_#", "whether the sample lies on corner #'s side of the side across from it"},
-}};
+    {"ratio", "texels for each pixel of the row [texels/px]"},
+    {"start", "where on the texture the row's first pixel samples [texels]"},
+    {"begin", "the row's first pixel on the screen, before it is cut [px]"},
+    {"n", "how many pixels lie before this one in its row"},
+    {"u_c", "the middle of the texel, along its row [texels]"},
+    {"v_c", "the middle of the texel, down the texture [texels]"},
+    {"tmp", "the column of the texel that the buffer holds here"},
+});
 
 /// Names of the methods in perspective.
 constexpr std::array kPerspective{

@@ -60,7 +60,7 @@ void at_each_beat(const Lesson& lesson, const std::shared_ptr<const Document>& d
 TEST(Lessons, TheFirstFiveAreThere) {
     std::set<int> numbers;
     for (const Lesson& lesson : lessons()) numbers.insert(lesson.number);
-    for (const int number : {1, 5, 6, 9, 14}) EXPECT_EQ(numbers.count(number), 1U) << number;
+    for (const int number : {1, 2, 3, 4, 5, 6, 9, 14}) EXPECT_EQ(numbers.count(number), 1U) << number;
 }
 
 TEST(Lessons, PrintedTheyAreTheSameLesson) {
@@ -124,13 +124,19 @@ TEST(Lessons, EveryQuirkChangesAPixelAndItsGuiltyLineIsPinned) {
     }
 }
 
+/// A number as one would type it: all digits where it has to be met exactly.
+[[nodiscard]] std::string typed(double number, double tolerance) {
+    return tolerance > 0 ? fmt::format("{:.6f}", number) : fmt::format("{:.15g}", number);
+}
+
 /// The answer that is right.
 [[nodiscard]] Answer right_answer(const Prediction& asked, const Accepted& accepted) {
     Answer answer;
     if (asked.kind == Prediction::Kind::choice) answer.chosen = {accepted.options.front()};
     if (asked.kind == Prediction::Kind::many) answer.chosen = accepted.options;
-    if (accepted.number) answer.typed = fmt::format("{:.10g}", *accepted.number);
-    if (!accepted.places.empty()) answer.places = {accepted.places.front()};
+    if (accepted.number) answer.typed = typed(*accepted.number, accepted.tolerance);
+    for (const glm::ivec2 place : accepted.places)
+        if (static_cast<int>(answer.places.size()) < accepted.least) answer.places.push_back(place);
     return answer;
 }
 
@@ -152,8 +158,10 @@ TEST(Lessons, EveryQuirkChangesAPixelAndItsGuiltyLineIsPinned) {
     }
     Answer answer;
     if (asked.kind == Prediction::Kind::number)
-        answer.typed = fmt::format("{:.10g}", accepted.number.value_or(0) + 1), wrong.push_back(answer);
-    if (options == 0 && asked.kind != Prediction::Kind::number) answer.places = {{-7, -7}}, wrong.push_back(answer);
+        answer.typed = typed(accepted.number.value_or(0) + accepted.tolerance + 1, accepted.tolerance),
+        wrong.push_back(answer);
+    if (options == 0 && asked.kind != Prediction::Kind::number)
+        answer.places.assign(static_cast<std::size_t>(accepted.least), {-7, -7}), wrong.push_back(answer);
     return wrong;
 }
 
@@ -261,6 +269,11 @@ TEST(Lessons, TheFiguresOfTheCurriculumHold) {
         return Accepted{};
     };
     EXPECT_EQ(answer(1, "pixel-of-byte 137").places, (std::vector<glm::ivec2>{{13, 1}}));
+    EXPECT_EQ(answer(2, "indices").number, 1122334556677);  // 0 1 1 2 2 3 3 4 5 5 6 6 7 7
+    EXPECT_EQ(answer(2, "index-beyond uneven_start=off start_ratio=on").number, 8);
+    EXPECT_NEAR(answer(3, "hole-share").number.value_or(0), 55.6, .05);
+    EXPECT_EQ(answer(3, "hole 3").places.size(), 5120U);
+    EXPECT_NEAR(answer(4, "buffer-width 1").number.value_or(0), 16.6, .05);
     EXPECT_EQ(answer(5, "fate 23 14").options, std::vector{2});
     EXPECT_EQ(answer(5, "drawn-after-exchange 1 2").options, std::vector{0});
     EXPECT_EQ(answer(5, "drawn-after-exchange 1 2 one_winding=on").options, std::vector{1});

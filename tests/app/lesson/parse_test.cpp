@@ -110,6 +110,26 @@ TEST(ParseLesson, ParagraphsStayApart) {
     EXPECT_EQ(again->beats[0].prose, plain->beats[0].prose);
 }
 
+TEST(ParseLesson, ABeatMayChangeTheMethodAndWithItTheWords) {
+    const std::string text =
+        changed("```predict", "```set\nmethod = \"sections\"\nquirks = { ghost = true }\n```\n\n```predict");
+    const auto lesson = parse_lesson(text, kFile);
+    ASSERT_TRUE(lesson) << lesson.error().text();
+    EXPECT_EQ(lesson->beats[1].set.method, "sections");
+    const auto again = parse_lesson(print_lesson(*lesson), kFile);
+    ASSERT_TRUE(again) << again.error().text();
+    EXPECT_EQ(again->beats[1].set.method, "sections");
+}
+
+TEST(ParseLesson, AMethodBehindItsPredictionOrOfAnotherNameIsAFault) {
+    const auto behind = parse_lesson(std::string(kSmall) + "\n```set\nmethod = \"sections\"\n```\n", kFile);
+    ASSERT_FALSE(behind);
+    EXPECT_NE(behind.error().what.find("behind the predict block"), std::string::npos) << behind.error().text();
+    const auto unknown = parse_lesson(changed("level = \"pixel\"", "method = \"magic\""), kFile);
+    ASSERT_FALSE(unknown);
+    EXPECT_NE(unknown.error().what.find("expected"), std::string::npos) << unknown.error().text();
+}
+
 TEST(ParseLesson, LineEndsAndByteOrderMarkMakeNoDifference) {
     std::string text = "\xEF\xBB\xBF";
     for (const char c : kSmall) text += c == '\n' ? "\r\n" : std::string(1, c);

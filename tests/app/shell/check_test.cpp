@@ -20,14 +20,17 @@ struct Fault {
 };
 
 const std::vector<Fault> kFaults{
-    {"UnknownView", "\"texels\", \"code\"", "\"texel\", \"code\"", 6, "has 'texel', expected bytes, code,"},
-    {"CanvasIsNoSideView", "\"texels\", \"code\"", "\"canvas\", \"code\"", 6, "has 'canvas', expected bytes"},
+    {"UnknownView", "\"texels\", \"code\"", "\"texel\", \"code\"", 6, "has 'texel', expected buffer, bytes, code,"},
+    {"CanvasIsNoSideView", "\"texels\", \"code\"", "\"canvas\", \"code\"", 6, "has 'canvas', expected buffer"},
     {"ViewTwice", "\"texels\", \"code\"", "\"code\", \"code\"", 6, "has 'code' twice"},
     {"ViewOfAnotherMethod", "\"texels\", \"code\"", "\"texels\", \"code\", \"ring\"", 6,
      "'ring', which is for sections"},
     {"ViewOfAnotherMethodInABeat", "pin = \"name u\"", "pin = \"name u\"\nviews = [\"face\"]", 18, "'face', which is"},
     {"ViewWithoutItsSolid", "\"texels\", \"code\"", "\"texels\", \"solids\"", 6, "'solids', which needs a solid"},
     {"ViewWithoutItsFrames", "\"texels\", \"code\"", "\"frames\", \"code\"", 6, "'frames', which needs a texture"},
+    {"ViewOfAnotherMethodThatABeatSets", "pin = \"line quirk.corners\"",
+     "method = \"forward\"\nviews = [\"texels\", \"signs\"]", 32,
+     "'signs', which is for edge-equations, but the lesson's method here is forward"},
     {"UnknownIcon", "quirks = [", "icon = \"my icon\"\nquirks = [", 8, "icon is 'my icon', expected array, ratio"},
     {"LevelLeftOut", "\"TGPE\"", "\"TSP\"", 16, "level here is 'expression', but levels = \"TSP\" leaves E out"},
     {"LevelOfTheBeatLeftOut", "pin = \"name u\"", "level = \"scanline\"", 17, "level here is 'scanline'"},

@@ -1,0 +1,72 @@
+#include "app/views/tuning.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "app/state/pose.h"
+#include "app/ui/text.h"
+#include "app/views/canvas_values.h"
+
+namespace texelscope {
+namespace {
+
+constexpr std::string_view kTurn = "turn", kScale = "scale", kDegreesText = "{:.0f}°", kScaleText = "{:.2f}";
+constexpr std::string_view kTurnTip = "Turns the shape round its middle. Ctrl with the arrows: ten times as far.",
+                           kScaleTip = "Pixels a texel";
+constexpr ui::SliderRange kTurns{-180, 180, 1}, kScales{.25, 3, .05};
+
+/// The polygon of the cursor's shape, as edited.
+[[nodiscard]] std::span<const Vertex> polygon_of(const Derived& derived) {
+    const int polygon = derived.drawing().polygon_of(derived.shape());
+    return derived.scene().polygons[static_cast<std::size_t>(polygon)].vertices;
+}
+
+}  // namespace
+
+float tuning_height(const ui::Ui& ui) {
+    return std::max(ui::size::kLeastTarget, std::ceil(ui.font(ui::Face::prose).em * 1.7F));
+}
+
+std::optional<double> draw_tuning(ui::Ui& ui, const ui::Area& row, const Tuning& what, double value,
+                                  const ui::SliderRange& range) {
+    const float gap = ui.px(8), baseline = ui::baseline_at_middle(ui.font(ui::Face::prose), row.centre().y);
+    const float label = ui.rich_within(ui::Face::prose, {row.x, baseline}, row.w * .4F, ui::Role::muted, what.label);
+    const float number = std::ceil(ui::text_width(ui.font(ui::Face::code), "-180°"));
+    const ui::Area track{std::round(row.x + label + gap), row.y,
+                         std::max(ui::size::kLeastTarget, std::floor(row.w - label - number - 2 * gap)), row.h};
+    ui.text_within(ui::Face::code, {track.right() + gap, baseline}, row.right() - track.right() - gap, ui::Role::text,
+                   what.value);
+    return ui::slider(ui, what.name, track, std::clamp(value, range.low, range.high), range, what.label, what.tip);
+}
+
+bool has_pose_tuning(const ViewContext& context) {
+    return context.derived.shape() >= 0 && canvas::may_drag(context.state, false);
+}
+
+void draw_pose_tuning(const ViewContext& context, const ui::Area& row, bool scale) {
+    if (!has_pose_tuning(context)) return;
+    ui::Ui& ui = context.ui;
+    const std::span<const Vertex> corners = polygon_of(context.derived);
+    const Pose pose = pose_of(corners);
+    const float gap = ui.px(24), width = scale ? std::floor((row.w - gap) / 2) : row.w;
+    const double turn =
+        std::abs(pose.degrees - std::round(pose.degrees)) < 1e-3 ? std::round(pose.degrees) : pose.degrees;
+    Pose next = pose;
+    if (const auto to = draw_tuning(ui, {row.x, row.y, width, row.h},
+                                    {"tune/turn", kTurn, fmt::format(kDegreesText, turn), kTurnTip}, turn, kTurns))
+        next.degrees = std::round(*to * 16) / 16;
+    if (scale) {
+        const auto to =
+            draw_tuning(ui, {row.x + width + gap, row.y, width, row.h},
+                        {"tune/scale", kScale, fmt::format(kScaleText, pose.scale), kScaleTip}, pose.scale, kScales);
+        if (to && std::abs(*to - pose.scale) > 1e-4) next.scale = *to;
+    }
+    if (next == pose) return;
+    const int gesture = ui.memory().active != 0 ? ui.memory().presses : 0;
+    context.act(action::MoveShape{context.derived.drawing().polygon_of(context.derived.shape()), posed(corners, next),
+                                  gesture});
+}
+
+}  // namespace texelscope
