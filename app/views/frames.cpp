@@ -33,7 +33,7 @@ public:
 
     void draw() {
         const int count = strip_.count;
-        const float gap = ui_.px(6), note = pitch(ui_, 16, Face::count), least = ui_.px(32);
+        const float gap = ui_.px(6), note = pitch(ui_, 16, Face::count) + ui_.px(5), least = ui_.px(32);
         const int fit = std::max(1, static_cast<int>((area_.w + gap) / (least + gap)));
         const int in_row = (count + (count + fit - 1) / fit - 1) / ((count + fit - 1) / fit);
         const float side =
@@ -73,7 +73,7 @@ private:
         else
             ui::frame(ui_.list(), place.inset(-1, -1), ui_.theme()[control.hovered ? Role::now : Role::faint]);
         ui_.text_centred(current ? Face::line_number : Face::count,
-                         {place.x, place.bottom() + ui_.px(2), place.w, note - ui_.px(2)},
+                         {place.x, place.bottom() + ui_.px(5), place.w, note - ui_.px(5)},
                          current ? Role::now : Role::muted, std::to_string(n));
     }
 

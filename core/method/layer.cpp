@@ -56,6 +56,34 @@ private:
     int open_count_ = 0;
 };
 
+/// The part of the window that the shape's samples may lie in, from a cell of the window on.
+[[nodiscard]] Window part_of(const Window& window, const Rect& reach) {
+    Rect rect = intersection(reach, window.rect);
+    if (rect.empty()) return {{}, window.stride};
+    rect.x0 -= (rect.x0 - window.rect.x0) % window.stride;
+    rect.y0 -= (rect.y0 - window.rect.y0) % window.stride;
+    return {rect, window.stride};
+}
+
+/// A half-transparent shape of a corrected method, which writes no pixel twice: blends all of it at once.
+void blend_shape(const Drawing& drawing, int shape, Layer& layer) {
+    if (drawing.refusal(shape) != Fate::written) return;
+    const Window &window = layer.window(), part = part_of(window, drawing.reach(shape));
+    if (part.rect.empty()) return;
+    Layer own(part);
+    const DrawSettings& settings = drawing.settings();
+    settings.method->paint(settings.format, drawing.job(shape), part, shape, own);
+    const Rgb clear = drawing.scene().framebuffer.clear;
+    const int left = (part.rect.x0 - window.rect.x0) / window.stride,
+              top = (part.rect.y0 - window.rect.y0) / window.stride;
+    for (int y = 0; y < own.cells().height(); ++y) {
+        const LayerCell* from = &own.cells().at(0, y);
+        LayerCell* to = &layer.cells().at(left, top + y);
+        for (int x = 0; x < own.cells().width(); ++x, ++from, ++to)
+            if (from->shape >= 0) *to = {blended(to->shape < 0 ? clear : to->colour, from->colour, true), shape};
+    }
+}
+
 /// Shapes in their order, as a depth test needs them, and those that blend with what stands there.
 void draw_forward(const Drawing& drawing, int last, Layer& layer) {
     const Window& window = layer.window();
@@ -69,7 +97,9 @@ void draw_forward(const Drawing& drawing, int last, Layer& layer) {
     if (drawing.scene().depth == Depth::less) return each_sample(drawing, 0, last, window, put);
     const DrawSettings& settings = drawing.settings();
     for (int n = 0; n < last; ++n) {
-        if (drawing.is_half(n))
+        if (drawing.is_half(n) && settings.quirks == 0 && !settings.method->scatters)
+            blend_shape(drawing, n, layer);
+        else if (drawing.is_half(n))
             each_sample(drawing, n, n + 1, window, put);
         else if (drawing.refusal(n) == Fate::written && drawing.touches(n, window.rect))
             settings.method->paint(settings.format, drawing.job(n), window, n, layer);

@@ -6,6 +6,8 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "app/platform/scripted_input.h"
+#include "app/shell/headless.h"
 #include "app/state/keymap.h"
 #include "app/state/link.h"
 #include "app/state/store.h"
@@ -224,6 +226,54 @@ TEST_F(SolidsTest, ThePictureOfHalfTransparentPiecesIsTheSameAllOver) {
             ASSERT_EQ(canvas.cells.data()[i].later, picture.data()[i]) << n << ", pixel " << i;
         }
     }
+}
+
+/// The right button, pressed on the cube, dragged and let go.
+TEST(SolidsMouse, ADragOnTheCanvasTurnsTheSolidUnderIt) {
+    auto app = Headless::start(*state_of("15-solids", {.reduced_motion = true}), {1280, 720});
+    ASSERT_TRUE(app) << app.error().text();
+    (*app)->settle();
+    const Work before = (*app)->state().work;
+    const auto run = [&](glm::vec2 from, glm::vec2 to) {
+        for (const ui::Input& input : drag((*app)->input, from, to, 6, 1)) (*app)->input = input, (*app)->frame();
+    };
+    run({150, 150}, {230, 180});  // the cube stands at the top left
+    ASSERT_EQ((*app)->state().work.meshes.size(), 1U);
+    EXPECT_EQ((*app)->state().work.meshes[0].mesh, 0);
+    const Work once = (*app)->state().work;
+    run({428, 458}, {410, 440});  // the torus at the bottom right
+    ASSERT_EQ((*app)->state().work.meshes.size(), 2U);
+    EXPECT_EQ((*app)->state().work.meshes[1].mesh, 3);
+    (*app)->store().dispatch(action::Undo{});
+    EXPECT_EQ((*app)->state().work, once);
+    (*app)->store().dispatch(action::Undo{});
+    EXPECT_EQ((*app)->state().work, before);
+    EXPECT_FALSE((*app)->store().can_undo());
+    run({900, 300}, {940, 300});  // beside the canvas
+    EXPECT_EQ((*app)->state().work, before);
+}
+
+/// A window asks for frames only while textures move.
+TEST(SolidsMouse, FramesRunByTheClockAndAnIdleWindowAsksForNone) {
+    auto app = Headless::start(*state_of("15-solids", {.reduced_motion = true}), {1280, 720});
+    ASSERT_TRUE(app) << app.error().text();
+    (*app)->settle();
+    const auto seconds = [&](double time) {
+        const double end = (*app)->input.time + time;
+        while ((*app)->input.time < end) (*app)->input = next_frame((*app)->input), (*app)->frame();
+    };
+    seconds(1);
+    EXPECT_EQ((*app)->state().work.frame, 0);
+    (*app)->input = press_key((*app)->input, {ui::Key::f});
+    (*app)->frame();
+    EXPECT_TRUE((*app)->state().moving);
+    seconds(1);
+    EXPECT_NEAR((*app)->state().work.frame, 8, 1);
+    (*app)->input = press_key((*app)->input, {ui::Key::f});
+    (*app)->frame();
+    const int frame = (*app)->state().work.frame;
+    seconds(1);
+    EXPECT_EQ((*app)->state().work.frame, frame);
 }
 
 TEST_F(SolidsTest, NoNumberBreaksIt) {

@@ -87,7 +87,7 @@ TEST(Replay, SamplesOfTheWholeFrameAreThePicture) {
 }
 
 TEST(Replay, HalfTransparentPolygonsBlendInTheirOrder) {
-    for_every_case(7, [](const Drawing& drawing, const Case& c) {
+    for_every_case(2, [](const Drawing& drawing, const Case& c) {
         for (const Depth depth : {Depth::off, Depth::less}) {
             Scene scene = laws::with_half(drawing.scene(), static_cast<unsigned>(drawing.shape_count()));
             scene.depth = depth;
