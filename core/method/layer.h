@@ -1,5 +1,5 @@
-// What shapes leave in a window of the picture: the last sample written to each cell, and whose it is. Shapes are
-// taken from the last to the first and only where nothing stands yet, so that what others hide costs nothing.
+// What shapes leave in a window of the picture: each cell's colour, and whose sample came last. They are taken from the
+// last to the first, and where one stands no other is drawn; in their order where a depth test or blending needs that.
 #pragma once
 
 #include <cstdint>
