@@ -44,6 +44,7 @@ using Maybe = std::optional<double>;
     if (function == "min" || function == "max") return result;
     if (function.empty()) return x.front();
     if (function == "trunc") return std::trunc(x.front());
+    if (function == "f32") return static_cast<double>(static_cast<float>(x.front()));
     if (function == "ceil") return std::ceil(x.front());
     if (function == "round") return std::nearbyint(x.front());
     if (function == "not") return x.front() == 0;

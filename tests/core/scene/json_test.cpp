@@ -158,7 +158,7 @@ TEST(Scene, EveryErrorNamesItsLineAndWhatWasExpected) {
     const std::vector<std::pair<std::string, std::string>> cases{
         {"\"x\":1",
          "s.json:2: key 'x' of a scene is not known, expected texelscope, framebuffer, depth, cull, textures, "
-         "polygons, meshes or camera"},
+         "polygons, meshes, camera or random"},
         {"\n\"meshes\":{}", "s.json:3: meshes is an object, expected a list"},
         {"\"camera\":[]", "s.json:2: camera is a list of 0, expected an object"},
         {"\"depth\":\n\"more\"", "s.json:3: depth is 'more', expected off or less"},
