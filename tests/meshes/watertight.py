@@ -92,7 +92,7 @@ def scene(rng, triangles):
             corners.reverse()
         start = rng.randrange(3)
         corners = corners[start:] + corners[:start]
-        polygons.append({"vertices": [{"x": x / UNIT, "y": y / UNIT, "u": 0, "v": 0} for x, y in corners]})
+        polygons.append({"vertices": [{"x": x / UNIT, "y": y / UNIT, "u": x / UNIT, "v": y / UNIT} for x, y in corners]})
     return {"texelscope": 1, "framebuffer": {"width": WIDTH, "height": HEIGHT}, "polygons": polygons}
 
 
