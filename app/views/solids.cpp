@@ -210,9 +210,11 @@ private:
                 if (right <= width + 1) ui_.text_right(Face::count, {x + right, base}, Role::muted, text);
             };
             title(c.area, kSigns), title(c.light, kLight), title(c.order, kOrder);
-            for (int n = 0; n < rows && block * rows + n < count; ++n)
-                draw_face(*faces_[static_cast<std::size_t>(block * rows + n)],
+            for (int n = 0; n < rows && block * rows + n < count; ++n) {
+                const int index = block * rows + n;
+                draw_face(*faces_[static_cast<std::size_t>(index)],
                           {x, y + head + static_cast<float>(n) * row, width, row}, c);
+            }
         }
         return y + head + static_cast<float>(rows) * row;
     }

@@ -57,7 +57,7 @@ struct EdgeWalk {
         std::array<Corner, 3> p{corner(triangle, 0), corner(triangle, 1), corner(triangle, 2)};
         const T area = trace("area", (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y));
         if (area == 0) return trace.fate(Fate::zero_area);
-        if (plain(area != area)) return trace.fate(Fate::undefined);
+        if (has_no_value(area)) return trace.fate(Fate::undefined);
         if (cull_back && area < 0) return trace.fate(Fate::culled);
         sort_downward(p);
 

@@ -9,6 +9,7 @@
 #include "core/geometry/vertex.h"
 #include "core/image/texture.h"
 #include "core/method/outline.h"
+#include "core/method/texel.h"
 #include "core/trace/trace.h"
 
 namespace texelscope {
@@ -60,12 +61,13 @@ template <Real T>
     const Row3<T>&c = columns[0], &d = cofactors[0];
     const T det = trace("det", c[0] * d[0] + c[1] * d[1] + c[2] * d[2], line);
     Matrix3<T> result;
-    for (int k = 0; k < 3; ++k)
-        for (int m = 0; m < 3; ++m)
-            result[k][m] = trace(
-                names[static_cast<std::size_t>(3 * k + m)],
-                (rows[k][0] * cofactors[0][m] + rows[k][1] * cofactors[1][m] + rows[k][2] * cofactors[2][m]) / det,
-                line);
+    std::size_t entry = 0;
+    for (int k = 0; k < 3; ++k) {
+        for (int m = 0; m < 3; ++m) {
+            const T sum = rows[k][0] * cofactors[0][m] + rows[k][1] * cofactors[1][m] + rows[k][2] * cofactors[2][m];
+            result[k][m] = trace(names[entry++], sum / det, line);
+        }
+    }
     return result;
 }
 
@@ -116,7 +118,7 @@ template <class Method>
     const T area = trace("area", face_detail::doubled_area<T>(face.corner(0), face.corner(1), face.corner(2)), line);
     if (plain(area == 0))
         face.fate = trace.fate(Fate::zero_area);
-    else if (plain(area != area))
+    else if (has_no_value(area))
         face.fate = trace.fate(Fate::undefined);
     else if (method.cull_back && plain(area < 0))
         face.fate = trace.fate(Fate::culled);

@@ -74,7 +74,7 @@ struct Forward {
         const T Y = trace("Y", (map[1][0] * p.u + map[1][1] * p.v + map[1][2]) / w);
         p.x = trace("x", floor(X));
         p.y = trace("y", floor(Y));
-        if (plain(X != X) || plain(Y != Y)) return p.fate = trace.fate(Fate::undefined), p;
+        if (has_no_value(X) || has_no_value(Y)) return p.fate = trace.fate(Fate::undefined), p;
         if (!frame.contains(plain(p.x), plain(p.y))) return p.fate = trace.fate(Fate::off_screen), p;
         p.texel = read_texel(*this, p.u, p.v);
         p.fate = trace.fate(Fate::written);

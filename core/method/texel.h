@@ -7,6 +7,13 @@
 
 namespace texelscope {
 
+/// NaN, or an exact number without a value: what differs from itself.
+template <class T>
+[[nodiscard]] bool has_no_value(const T& x) {
+    const T& itself = x;
+    return plain(x != itself);
+}
+
 /// The texel index inside [0, size); the recorded twin of wrap_index.
 template <class Int>
 [[nodiscard]] Int wrapped(const Int& index, int size, Wrap wrap) {

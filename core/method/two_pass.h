@@ -139,7 +139,7 @@ struct TwoPass {
                 const T U = trace("u_c", T(u) + T(1) / 2);
                 const T w = trace("w", map[2][0] * U + map[2][1] * V + map[2][2]);
                 const Int x = trace("x", floor((map[0][0] * U + map[0][1] * V + map[0][2]) / w));
-                if (plain(w == w) && plain(x) >= tmp.x0 && plain(x) < tmp.x1) tmp.at(plain(x), plain(v)) = plain(u);
+                if (!has_no_value(w) && plain(x) >= tmp.x0 && plain(x) < tmp.x1) tmp.at(plain(x), plain(v)) = plain(u);
             }
         }
     }
@@ -162,7 +162,7 @@ struct TwoPass {
         const T w = trace("w", map[2][0] * U + map[2][1] * p.v + map[2][2]);
         const T Y = trace("Y", (map[1][0] * U + map[1][1] * p.v + map[1][2]) / w);
         p.y = trace("y", floor(Y));
-        if (plain(Y != Y)) return p.fate = trace.fate(Fate::undefined), p;
+        if (has_no_value(Y)) return p.fate = trace.fate(Fate::undefined), p;
         if (plain(p.y) < frame.y0 || plain(p.y) >= frame.y1) return p.fate = trace.fate(Fate::off_screen), p;
         p.texel = read_texel(*this, p.u, p.v);
         p.fate = trace.fate(Fate::written);
