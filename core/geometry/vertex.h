@@ -18,12 +18,12 @@ struct Vertex {
 /// A convex polygon, three or more corners in order, either winding.
 struct Polygon {
     std::vector<Vertex> vertices;
-    int texture = 0;    ///< index into Scene::textures
-    float light = 1;    ///< each channel becomes min(255, trunc(channel * light))
-    int mesh = -1;      ///< index into Scene::meshes of the mesh it was made from; -1: the scene's own
-    int face = -1;      ///< which face of that mesh; for jelly cubes which piece; -1: the scene's own
+    int texture = 0;      ///< index into Scene::textures
+    float light = 1;      ///< each channel becomes min(255, trunc(channel * light))
+    int mesh = -1;        ///< index into Scene::meshes of the mesh it was made from; -1: the scene's own
+    int face = -1;        ///< which face of that mesh; for jelly cubes which piece; -1: the scene's own
     bool random = false;  ///< made by Scene::random
-    bool half = false;  ///< half-transparent: each channel becomes (old >> 1) + (new >> 1)
+    bool half = false;    ///< half-transparent: each channel becomes (old >> 1) + (new >> 1)
 
     friend bool operator==(const Polygon&, const Polygon&) = default;
 };
