@@ -18,7 +18,7 @@ struct LoopProgress {
 [[nodiscard]] Path loop_of(Steps& steps, int shape) {
     const Path whole{{{'t', shape}}};
     for (auto s = static_cast<Integer>(steps.at(whole).stages.size()) - 1; s >= 0; --s) {
-        const Path stage = whole.child('s', s);
+        Path stage = whole.child('s', s);
         if (steps.at(stage).unit().loop) return stage;
     }
     return {};
@@ -39,11 +39,11 @@ struct LoopProgress {
 
 /// The step that is as far in this drawing; the whole shape where it is done by then.
 [[nodiscard]] Path step_at(Steps& steps, const Path& stage, const LoopProgress& at) {
-    const Path whole = stage.prefix(1);
+    Path whole = stage.prefix(1);
     const std::optional<Loop> outer = steps.at(stage).unit().loop;
     const Integer row = at.columns > 0 ? at.rows : at.rows - 1;
     if (at.done || !outer || row >= outer->count()) return whole;
-    const Path line = stage.child(outer->letter, outer->first + row * outer->step);
+    Path line = stage.child(outer->letter, outer->first + row * outer->step);
     const std::optional<Loop> inner = steps.at(line).unit().loop;
     if (at.columns == 0 || !inner || at.columns > inner->count()) return line;
     return line.child(inner->letter, inner->first + (at.columns - 1) * inner->step);
