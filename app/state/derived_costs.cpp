@@ -43,44 +43,35 @@ constexpr Integer kMostCounted = 1 << 18;  ///< samples that a face may visit: m
     return static_cast<std::int32_t>(tape.operations.size());
 }
 
-/// The samples that a shape writes, by line.
-struct Extent {
-    std::set<Integer> lines;
-    Integer pixels = 0, line_pixels = 0;
-    std::optional<Sample> in_line;  ///< the cursor's, else one in the middle
-};
-[[nodiscard]] Extent extent_of(const Drawing& drawing, int shape, bool columns, std::optional<glm::ivec2> pixel) {
-    Extent extent;
-    const auto line_of = [&](const Sample& s) { return columns ? s.x : s.y; };
+[[nodiscard]] std::vector<Sample> written_by(const Drawing& drawing, int shape) {
     std::vector<Sample> all;
     each_sample(drawing, shape, shape + 1, {drawing.scene().framebuffer.rect(), 1}, [&](int, const Sample& s) {
         if (s.fate == Fate::written) all.push_back(s);
     });
-    for (const Sample& s : all) {
-        extent.lines.insert(line_of(s));
-        if (pixel && s.x == pixel->x && s.y == pixel->y) extent.in_line = s;
-    }
-    extent.pixels = static_cast<Integer>(all.size());
-    if (!extent.in_line && !all.empty()) extent.in_line = all[all.size() / 2];
-    if (extent.in_line) {
-        const Integer line = line_of(*extent.in_line);
-        extent.line_pixels = std::count_if(all.begin(), all.end(), [&](const Sample& s) { return line_of(s) == line; });
-    }
-    return extent;
+    return all;
+}
+/// The cursor's sample, else one in the middle. Requires samples.
+[[nodiscard]] const Sample& looked_at(const std::vector<Sample>& all, std::optional<glm::ivec2> pixel) {
+    const auto here = std::find_if(all.begin(), all.end(),
+                                   [&](const Sample& s) { return pixel && s.x == pixel->x && s.y == pixel->y; });
+    return here != all.end() ? *here : all[all.size() / 2];
 }
 
 [[nodiscard]] std::optional<MethodCost> cost_of(const Drawing& drawing, int shape, std::optional<glm::ivec2> pixel) {
     MethodCost cost{.method = drawing.settings().method};
     Steps steps(drawing);
-    std::optional<Sample> any = extent_of(drawing, shape, false, pixel).in_line;
-    if (!any) return std::nullopt;
-    const auto path = steps.at_pixel(shape, any->x, any->y);
+    const std::vector<Sample> all = written_by(drawing, shape);
+    if (all.empty()) return std::nullopt;
+    const Sample& any = looked_at(all, pixel);
+    const auto path = steps.at_pixel(shape, any.x, any.y);
     if (!path || path->parts.size() != 4) return std::nullopt;
     const char outer = path->parts[2].letter, inner = path->parts[3].letter;
     cost.columns = outer == 'x';
-    const Extent extent = extent_of(drawing, shape, cost.columns, pixel);
-    cost.line_pixels = extent.line_pixels, cost.pixels = extent.pixels;
-    cost.lines = static_cast<Integer>(extent.lines.size());
+    const auto line_of = [&](const Sample& s) { return cost.columns ? s.x : s.y; };
+    std::set<Integer> lines;
+    for (const Sample& s : all) lines.insert(line_of(s)), cost.line_pixels += line_of(s) == line_of(any);
+    cost.pixels = static_cast<Integer>(all.size());
+    cost.lines = static_cast<Integer>(lines.size());
 
     const Tape& tape = steps.at(*path).tape;
     const std::int32_t line = round_of(tape, outer, -1), sample = round_of(tape, inner, line);

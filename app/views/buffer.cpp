@@ -335,12 +335,7 @@ private:
                                                 .focusable = false});
         const bool on_it = region.hovered && here.kind != Selection::Kind::none;
         tell_hover(ctx_, area, on_it, here);
-        if (!region.clicked || !on_it) return;
-        const auto kind = here.kind == Selection::Kind::pixel ? Prediction::Kind::pixel : Prediction::Kind::texel;
-        if (pointing(ctx_.state, kind).asked)
-            ctx_.act(action::Point{here.at});
-        else
-            ctx_.act(action::Pin{here});
+        if (region.clicked && on_it) point_or_pin(ctx_, here);
     }
 
     const ViewContext& ctx_;

@@ -35,10 +35,7 @@ void click(const ViewContext& ctx, const CanvasMap& map, const ui::Control& regi
         if (const auto path = ctx.derived.last_write(pixel)) ctx.act(action::StepTo{*path});
     }
     if (!region.clicked || glm::length(region.drag_total) >= kStill) return;
-    if (answers)
-        ctx.act(action::Point{pixel});
-    else
-        ctx.act(action::Pin{{.kind = Selection::Kind::pixel, .at = pixel}});
+    point_or_pin(ctx, {.kind = Selection::Kind::pixel, .at = pixel});
 }
 
 /// Everything the mouse does on the pixels but dragging corners, which are controls of their own.

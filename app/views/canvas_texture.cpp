@@ -254,10 +254,7 @@ void take_texel_input(const ViewContext& ctx, const TexelMap& map, std::string_v
         {.name = name, .area = shown, .kind = ui::Kind::region, .label = kLabel, .tip = tip, .focusable = false});
     tell_hover(ctx, shown, inside && ui.memory().hot != 0, here);
     if (!inside || !region.clicked || glm::length(region.drag_total) >= kStill) return;
-    if (pointing(ctx.state, Prediction::Kind::texel).asked)
-        ctx.act(action::Point{texel});
-    else
-        ctx.act(action::Pin{here});
+    point_or_pin(ctx, here);
 }
 
 }  // namespace texelscope::canvas

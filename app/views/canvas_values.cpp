@@ -148,6 +148,14 @@ void tell_hover(const ViewContext& ctx, const ui::Area& area, bool hovered, cons
     if (left && what.kind != Selection::Kind::none) ctx.actions.insert(ctx.actions.begin(), action::Hover{});
 }
 
+void point_or_pin(const ViewContext& ctx, const Selection& here) {
+    const bool pixel = here.kind == Selection::Kind::pixel;
+    if (pointing(ctx.state, pixel ? Prediction::Kind::pixel : Prediction::Kind::texel).asked)
+        ctx.act(action::Point{here.at});
+    else
+        ctx.act(action::Pin{here});
+}
+
 std::uint64_t version_of(const Grid<Rgba>& pixels) {
     std::uint64_t hash = 0xCBF29CE484222325ULL ^ static_cast<std::uint64_t>(pixels.width());
     for (std::size_t n = 0; n < pixels.size(); ++n) {

@@ -48,6 +48,8 @@ void move_by_keys(const ViewContext& ctx, ui::Id control, const Handle& handle);
 
 /// Says that the mouse is over `what`, or has left the view whose hovering was shown. Only where it is news.
 void tell_hover(const ViewContext& ctx, const ui::Area& area, bool hovered, const Selection& what);
+/// A click on a pixel or a texel: it answers where such a one is asked for, and is pinned elsewhere.
+void point_or_pin(const ViewContext& ctx, const Selection& here);
 
 /// Another number for another picture: what a TextureStore wants as the version.
 [[nodiscard]] std::uint64_t version_of(const Grid<Rgba>& pixels);

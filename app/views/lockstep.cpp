@@ -25,7 +25,8 @@ constexpr std::string_view kOther = "Lockstep is for the methods **forward** and
 constexpr std::string_view kOutside = "Nothing of the shape lies on the screen.";
 constexpr std::array<std::string_view, 2> kTitles{"Forward", "Backward"};
 constexpr std::array<std::string_view, 2> kRows{"{} of {} rows of texels", "{} of {} rows of pixels"};
-constexpr std::string_view kEmpty = "{:.1f} % empty: {} of {}", kAgain = "{} written again";
+constexpr std::string_view kFewRows = "{} of {} rows";  // where there is little room
+constexpr std::string_view kEmpty = "{:.1f} % empty: {} of {}", kShare = "{:.1f} % empty", kAgain = "{} written again";
 constexpr std::string_view kOnce = "{} drawn, each once", kTwice = "{} drawn, {} of them again";
 constexpr std::string_view kSoFar = "{} written so far", kNothing = "nothing written yet";
 constexpr std::string_view kTip = "pixel **{}, {}**: written {} times by the texture, {} by the screen";
@@ -95,9 +96,10 @@ private:
                                            kTitles[static_cast<std::size_t>(way)]) +
                            lead.em * .8F;
         const Integer all = way == 0 ? made_.forward_rows : made_.backward_rows;
-        ui_.text_within(
-            ui::Face::prose, {place.x + used, place.y + line * .72F}, std::max(0.0F, place.w - used), Role::muted,
-            fmt::format(fmt::runtime(kRows[static_cast<std::size_t>(way)]), std::min(made_.rows, all), all));
+        const Integer rows = std::min(made_.rows, all);
+        write({place.x + used, place.y + line * .72F}, std::max(0.0F, place.w - used), Role::muted,
+              fmt::format(fmt::runtime(kRows[static_cast<std::size_t>(way)]), rows, all),
+              fmt::format(kFewRows, rows, all));
         const int lines = 2;
         const ui::Area room{place.x, place.y + line, place.w, std::max(1.0F, place.h - line * (1 + lines) - ui_.px(4))};
         const Part part = part_in(room);
@@ -108,6 +110,12 @@ private:
         ui_.end_clip();
         take_input(way, part, room);
         draw_figures(way, {place.x, room.bottom() + ui_.px(4), place.w, line * static_cast<float>(lines)}, line);
+    }
+
+    /// The text, or a shorter one where it does not fit.
+    void write(glm::vec2 pen, float width, Role role, const std::string& text, const std::string& shorter) {
+        const bool fits = ui::text_width(ui_.font(ui::Face::prose), text) <= width;
+        ui_.text_within(ui::Face::prose, pen, width, role, fits ? text : shorter);
     }
 
     /// The whole shape where its pixels are large enough, else what lies round the focus.
@@ -232,8 +240,8 @@ private:
         ui::frame(ui_.list(), swatch(), theme_[Role::error], 1);
         const double share =
             made_.inside > 0 ? 100.0 * static_cast<double>(made_.holes) / static_cast<double>(made_.inside) : 0;
-        ui_.text_within(ui::Face::prose, {pen.x + indent, pen.y}, place.w - indent, Role::text,
-                        fmt::format(kEmpty, share, made_.holes, made_.inside));
+        write({pen.x + indent, pen.y}, place.w - indent, Role::text,
+              fmt::format(kEmpty, share, made_.holes, made_.inside), fmt::format(kShare, share));
         pen.y += line;
         ui::fill(ui_.list(), swatch(), theme_[Role::covered]);
         draw_again(swatch(), 2);
@@ -259,11 +267,7 @@ private:
                                                 .focusable = false});
         const Selection here{.kind = Selection::Kind::pixel, .at = pixel};
         tell_hover(ctx_, area, on_pixel && region.hovered, here);
-        if (!region.clicked || !on_pixel) return;
-        if (pointing(ctx_.state, Prediction::Kind::pixel).asked)
-            ctx_.act(action::Point{pixel});
-        else
-            ctx_.act(action::Pin{here});
+        if (region.clicked && on_pixel) point_or_pin(ctx_, here);
     }
 
     const ViewContext& ctx_;

@@ -336,12 +336,7 @@ private:
                                                  .focusable = false});
         const bool on_it = control.hovered && here.kind != Selection::Kind::none;
         tell_hover(ctx_, region, on_it, here);
-        if (!control.clicked || !on_it) return;
-        const bool pixel = here.kind == Selection::Kind::pixel;
-        if (pointing(ctx_.state, pixel ? Prediction::Kind::pixel : Prediction::Kind::texel).asked)
-            ctx_.act(action::Point{here.at});
-        else
-            ctx_.act(action::Pin{here});
+        if (control.clicked && on_it) point_or_pin(ctx_, here);
     }
 
     const ViewContext& ctx_;

@@ -21,13 +21,6 @@ struct BackwardProjective {
     using Int = IntegerOf<T>;
     using Quirks = BackwardProjectiveQuirks;
 
-    struct Pixel {
-        T u{}, v{};
-        Texel<T> texel{};
-        Fate fate = Fate::written;
-        Note note = Note::none;
-    };
-
     Rect frame;
     const Texture& texture;
     float lightness;
@@ -44,31 +37,21 @@ struct BackwardProjective {
         const Matrix3<T> inverse = inverse_of(*this, face);
 
         trace.stage("pixels");
-        const auto rows = face.outline.rows();
-        const Int first = trace("first_row", greater(ceil(rows.low - T(1) / 2), Int(frame.y0)));
-        const Int last = trace("last_row", lesser(ceil(rows.high - T(1) / 2), Int(frame.y1)));
-        for (const Int j : trace.each('y', first, last)) draw_row(face, inverse, j, put);
+        const Samples<T> rows = rows_of(*this, face.outline);
+        for (const Int j : trace.each('y', rows.first, rows.last)) draw_row(face, inverse, j, put);
         return Fate::written;
     }
 
     void draw_row(const Face<T>& face, const Matrix3<T>& inverse, const Int& j, auto&& put) const {
-        const T y = trace("Y", T(j) + T(1) / 2);
-        const auto span = face.outline.row(y);
-        if (span.empty) return;
-        const T left = trace("x_l", span.from);
-        const T right = trace("x_r", span.to);
-        const Int first = trace("first", greater(ceil(left - T(1) / 2), Int(frame.x0)));
-        const Int last = trace("last", lesser(ceil(right - T(1) / 2), Int(frame.x1)));
-        if (plain(first >= last)) return;
+        const Samples<T> row = row_of(*this, face.outline, j);
+        if (row.empty()) return;
 
-        const auto& [a, b, c] = inverse[0];
-        const auto& [d, e, f] = inverse[1];
-        const auto& [g, h, i1] = inverse[2];
-        const T x = trace("X", T(first) + T(1) / 2);
-        T U = trace("U_start", a * x + b * y + c);
-        T V = trace("V_start", d * x + e * y + f);
-        T W = trace("W_start", g * x + h * y + i1);
-        for (const Int i : trace.walk('x', first, last)) {
+        const T &a = inverse[0][0], &b = inverse[0][1], &d = inverse[1][0], &g = inverse[2][0];
+        const T x = trace("X", T(row.first) + T(1) / 2);
+        T U = trace("U_start", value_at(inverse[0], x, row.at));
+        T V = trace("V_start", value_at(inverse[1], x, row.at));
+        T W = trace("W_start", value_at(inverse[2], x, row.at));
+        for (const Int i : trace.walk('x', row.first, row.last)) {
             if (trace.wanted('x', i)) put(i, j, pixel(U, V, W));
             U = U + a;
             V = V + (quirk.wrong_slope ? b : d);  // Q1
@@ -76,22 +59,13 @@ struct BackwardProjective {
         }
     }
 
-    Pixel pixel(const T& u_over_w, const T& v_over_w, const T& one_over_w) const {
-        Pixel p;
+    Fragment<T> pixel(const T& u_over_w, const T& v_over_w, const T& one_over_w) const {
         const T U = trace("U", u_over_w);
         const T V = trace("V", v_over_w);
         const T W = trace("W", one_over_w);
-        if (quirk.reciprocal) {
-            const T w = trace("w", T(1) / W);
-            p.u = trace("u", U * w);
-            p.v = trace("v", V * w);
-        } else {
-            p.u = trace("u", U / W);
-            p.v = trace("v", V / W);
-        }
-        p.texel = read_texel(*this, p.u, p.v);
-        p.fate = trace.fate(Fate::written);
-        return p;
+        if (!quirk.reciprocal) return fragment_at(*this, T(U / W), T(V / W));
+        const T w = trace("w", T(1) / W);
+        return fragment_at(*this, T(U * w), T(V * w));
     }
 };
 

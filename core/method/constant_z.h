@@ -20,13 +20,6 @@ struct ConstantZ {
     using Int = IntegerOf<T>;
     using Quirks = ConstantZQuirks;
 
-    struct Pixel {
-        T u{}, v{};
-        Texel<T> texel{};
-        Fate fate = Fate::written;
-        Note note = Note::none;
-    };
-
     Rect frame;
     const Texture& texture;
     float lightness;
@@ -47,77 +40,51 @@ struct ConstantZ {
         const bool floor_like = plain(h < g) == quirk.other_way;
         trace.stage(floor_like ? "rows" : "columns");
         if (floor_like) {
-            const auto rows = face.outline.rows();
-            const Int first = trace("first_row", greater(ceil(rows.low - T(1) / 2), Int(frame.y0)));
-            const Int last = trace("last_row", lesser(ceil(rows.high - T(1) / 2), Int(frame.y1)));
-            for (const Int j : trace.each('y', first, last)) draw_row(face, inverse, j, put);
+            const Samples<T> rows = rows_of(*this, face.outline);
+            for (const Int j : trace.each('y', rows.first, rows.last)) draw_row(face, inverse, j, put);
         } else {
-            const auto columns = face.outline.columns();
-            const Int first = trace("first_column", greater(ceil(columns.low - T(1) / 2), Int(frame.x0)));
-            const Int last = trace("last_column", lesser(ceil(columns.high - T(1) / 2), Int(frame.x1)));
-            for (const Int i : trace.each('x', first, last)) draw_column(face, inverse, i, put);
+            const Samples<T> columns = columns_of(*this, face.outline);
+            for (const Int i : trace.each('x', columns.first, columns.last)) draw_column(face, inverse, i, put);
         }
         return Fate::written;
     }
     static T magnitude(const T& a) { return plain(a < 0) ? -a : a; }
 
     void draw_row(const Face<T>& face, const Matrix3<T>& inverse, const Int& j, auto&& put) const {
-        const T y = trace("Y", T(j) + T(1) / 2);
-        const auto span = face.outline.row(y);
-        if (span.empty) return;
-        const T left = trace("x_l", span.from);
-        const T right = trace("x_r", span.to);
-        const Int first = trace("first", greater(ceil(left - T(1) / 2), Int(frame.x0)));
-        const Int last = trace("last", lesser(ceil(right - T(1) / 2), Int(frame.x1)));
-        if (plain(first >= last)) return;
+        const Samples<T> row = row_of(*this, face.outline, j);
+        if (row.empty()) return;
 
-        const T x = trace("X", T(first) + T(1) / 2);
-        const T w = depth(inverse, x, y);
-        T u = trace("u_start", numerator(inverse[0], x, y) * w);
-        T v = trace("v_start", numerator(inverse[1], x, y) * w);
+        const T x = trace("X", T(row.first) + T(1) / 2);
+        const T w = depth(inverse, x, row.at);
+        T u = trace("u_start", value_at(inverse[0], x, row.at) * w);
+        T v = trace("v_start", value_at(inverse[1], x, row.at) * w);
         const T du = trace("du", inverse[0][0] * w);
         const T dv = trace("dv", inverse[1][0] * w);
-        for (const Int i : trace.walk('x', first, last)) {
-            if (trace.wanted('x', i)) put(i, j, pixel(u, v));
+        for (const Int i : trace.walk('x', row.first, row.last)) {
+            if (trace.wanted('x', i)) put(i, j, fragment_at(*this, u, v));
             u = u + du;
             v = v + dv;
         }
     }
     void draw_column(const Face<T>& face, const Matrix3<T>& inverse, const Int& i, auto&& put) const {
-        const T x = trace("X", T(i) + T(1) / 2);
-        const auto span = face.outline.column(x);
-        if (span.empty) return;
-        trace("y_t", span.from);
-        trace("y_b", span.to);
-        const Int first = trace("first", greater(face.outline.first(span), Int(frame.y0)));
-        const Int last = trace("last", lesser(face.outline.last(span), Int(frame.y1)));
-        if (plain(first >= last)) return;
+        const Samples<T> column = column_of(*this, face.outline, i);
+        if (column.empty()) return;
 
-        const T y = trace("Y", T(first) + T(1) / 2);
-        const T w = depth(inverse, x, y);
-        T u = trace("u_start", numerator(inverse[0], x, y) * w);
-        T v = trace("v_start", numerator(inverse[1], x, y) * w);
+        const T y = trace("Y", T(column.first) + T(1) / 2);
+        const T w = depth(inverse, column.at, y);
+        T u = trace("u_start", value_at(inverse[0], column.at, y) * w);
+        T v = trace("v_start", value_at(inverse[1], column.at, y) * w);
         const T du = trace("du", inverse[0][1] * w);
         const T dv = trace("dv", inverse[1][1] * w);
-        for (const Int j : trace.walk('y', first, last)) {
-            if (trace.wanted('y', j)) put(i, j, pixel(u, v));
+        for (const Int j : trace.walk('y', column.first, column.last)) {
+            if (trace.wanted('y', j)) put(i, j, fragment_at(*this, u, v));
             u = u + du;
             v = v + dv;
         }
     }
     /// The only division of a row or column.
     T depth(const Matrix3<T>& inverse, const T& x, const T& y) const {
-        return trace("w", T(1) / numerator(inverse[2], x, y));
-    }
-    static T numerator(const Row3<T>& row, const T& x, const T& y) { return row[0] * x + row[1] * y + row[2]; }
-
-    Pixel pixel(const T& u, const T& v) const {
-        Pixel p;
-        p.u = trace("u", u);
-        p.v = trace("v", v);
-        p.texel = read_texel(*this, p.u, p.v);
-        p.fate = trace.fate(Fate::written);
-        return p;
+        return trace("w", T(1) / value_at(inverse[2], x, y));
     }
 };
 

@@ -86,6 +86,12 @@ template <Real T>
 
 }  // namespace face_detail
 
+/// p x + q y + r: what a row of M or of its inverse is at a place.
+template <Real T>
+[[nodiscard]] T value_at(const Row3<T>& row, const T& x, const T& y) {
+    return row[0] * x + row[1] * y + row[2];
+}
+
 /// Reads the corners. Fates: zero area, undefined, back face.
 /// @param perspective  otherwise every w is 1: a parallelogram.
 template <class Method>
@@ -125,6 +131,65 @@ template <class Method>
     return face;
 }
 
+/// The samples first, … up to but without last of a line of them, inside the frame.
+template <Real T>
+struct Samples {
+    T at{};  ///< where the line lies: y of a row, x of a column [px]
+    IntegerOf<T> first{}, last{};
+    [[nodiscard]] bool empty() const { return plain(first >= last); }
+};
+
+/// The rows that an outline reaches, traced as first_row and last_row.
+template <class Method, Real T>
+[[nodiscard]] Samples<T> rows_of(const Method& method, const Outline<T>& outline, int line = __builtin_LINE()) {
+    using Int = IntegerOf<T>;
+    const auto rows = outline.rows();
+    Samples<T> s;
+    s.first = method.trace("first_row", greater(ceil(rows.low - T(1) / 2), Int(method.frame.y0)), line);
+    s.last = method.trace("last_row", lesser(ceil(rows.high - T(1) / 2), Int(method.frame.y1)), line);
+    return s;
+}
+/// The columns that an outline reaches, traced as first_column and last_column.
+template <class Method, Real T>
+[[nodiscard]] Samples<T> columns_of(const Method& method, const Outline<T>& outline, int line = __builtin_LINE()) {
+    using Int = IntegerOf<T>;
+    const auto columns = outline.columns();
+    Samples<T> s;
+    s.first = method.trace("first_column", greater(ceil(columns.low - T(1) / 2), Int(method.frame.x0)), line);
+    s.last = method.trace("last_column", lesser(ceil(columns.high - T(1) / 2), Int(method.frame.x1)), line);
+    return s;
+}
+/// The samples of row j inside an outline, traced as Y, x_l, x_r, first and last.
+template <class Method, Real T>
+[[nodiscard]] Samples<T> row_of(const Method& method, const Outline<T>& outline, const IntegerOf<T>& j,
+                                int line = __builtin_LINE()) {
+    using Int = IntegerOf<T>;
+    Samples<T> s;
+    s.at = method.trace("Y", T(j) + T(1) / 2, line);
+    const auto span = outline.row(s.at);
+    if (span.empty) return s;
+    const T left = method.trace("x_l", span.from, line);
+    const T right = method.trace("x_r", span.to, line);
+    s.first = method.trace("first", greater(ceil(left - T(1) / 2), Int(method.frame.x0)), line);
+    s.last = method.trace("last", lesser(ceil(right - T(1) / 2), Int(method.frame.x1)), line);
+    return s;
+}
+/// The samples of column i inside an outline, traced as X, y_t, y_b, first and last.
+template <class Method, Real T>
+[[nodiscard]] Samples<T> column_of(const Method& method, const Outline<T>& outline, const IntegerOf<T>& i,
+                                   int line = __builtin_LINE()) {
+    using Int = IntegerOf<T>;
+    Samples<T> s;
+    s.at = method.trace("X", T(i) + T(1) / 2, line);
+    const auto span = outline.column(s.at);
+    if (span.empty) return s;
+    method.trace("y_t", span.from, line);
+    method.trace("y_b", span.to, line);
+    s.first = method.trace("first", greater(outline.first(span), Int(method.frame.y0)), line);
+    s.last = method.trace("last", lesser(outline.last(span), Int(method.frame.y1)), line);
+    return s;
+}
+
 /// The face on its texture [texels].
 template <Real T>
 [[nodiscard]] Outline<T> texture_outline(const Face<T>& face) {
@@ -145,6 +210,17 @@ template <Real T>
 [[nodiscard]] inline Integer most_texels(const Texture& texture) {
     constexpr Integer kRepeated = Integer{1} << 22;
     return greater(kRepeated, 2 * Integer{texture.width() + 2} * (texture.height() + 2));
+}
+
+/// For methods that run over all texels of a face: undefined where its corners lie on one line of the texture, too
+/// large where it repeats the texture too often. Else written.
+template <class Method, Real T>
+[[nodiscard]] Fate texture_fate(const Method& method, const Face<T>& face, const Outline<T>& on_texture,
+                                int line = __builtin_LINE()) {
+    const T area = method.trace("texture_area", face_detail::doubled_uv_area(face), line);
+    if (plain(area == 0)) return method.trace.fate(Fate::undefined);
+    if (texels_in(on_texture) > most_texels(method.texture)) return method.trace.fate(Fate::too_large);
+    return Fate::written;
 }
 
 /// M, its entries traced as m_11 … m_33. Without a value where the texture's corners lie on one line.

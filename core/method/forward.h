@@ -39,9 +39,7 @@ struct Forward {
         const Face<T> face = face_of(*this, polygon, true);
         if (face.fate != Fate::written) return face.fate;
         const Outline<T> on_texture = texture_outline(face);
-        const T area = trace("texture_area", face_detail::doubled_uv_area(face));
-        if (plain(area == 0)) return trace.fate(Fate::undefined);
-        if (plain(texels_in(on_texture) > most_texels(texture))) return trace.fate(Fate::too_large);
+        if (const Fate fate = texture_fate(*this, face, on_texture); fate != Fate::written) return fate;
         trace.stage("map");
         const Matrix3<T> map = map_of(*this, face);
 
@@ -69,9 +67,9 @@ struct Forward {
         Pixel p;
         p.u = trace("u_c", T(u) + T(1) / 2);
         p.v = v;
-        const T w = trace("w", map[2][0] * p.u + map[2][1] * p.v + map[2][2]);
-        const T X = trace("X", (map[0][0] * p.u + map[0][1] * p.v + map[0][2]) / w);
-        const T Y = trace("Y", (map[1][0] * p.u + map[1][1] * p.v + map[1][2]) / w);
+        const T w = trace("w", value_at(map[2], p.u, p.v));
+        const T X = trace("X", value_at(map[0], p.u, p.v) / w);
+        const T Y = trace("Y", value_at(map[1], p.u, p.v) / w);
         p.x = trace("x", floor(X));
         p.y = trace("y", floor(Y));
         if (has_no_value(X) || has_no_value(Y)) return p.fate = trace.fate(Fate::undefined), p;

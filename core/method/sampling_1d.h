@@ -25,12 +25,7 @@ struct Sampling1d {
         T ratio{}, start{}, left{}, top{}, v{}, v_ratio{};
         Int begin{};
     };
-    struct Pixel {
-        T u{}, v{};
-        Texel<T> texel{};
-        Fate fate = Fate::written;
-        Note note = Note::none;
-    };
+    using Pixel = Fragment<T>;
 
     Rect frame;
     const Texture& texture;
@@ -48,10 +43,8 @@ struct Sampling1d {
         const Setup s = setup(face);
 
         trace.stage("pixels");
-        const auto rows = face.outline.rows();
-        const Int first = trace("first_row", greater(ceil(rows.low - T(1) / 2), Int(frame.y0)));
-        const Int last = trace("last_row", lesser(ceil(rows.high - T(1) / 2), Int(frame.y1)));
-        for (const Int j : trace.each('y', first, last)) draw_row(face, s, j, put);
+        const Samples<T> rows = rows_of(*this, face.outline);
+        for (const Int j : trace.each('y', rows.first, rows.last)) draw_row(face, s, j, put);
         return Fate::written;
     }
 
@@ -87,15 +80,9 @@ struct Sampling1d {
     }
 
     void draw_row(const Face<T>& face, const Setup& s, const Int& j, auto&& put) const {
-        const T y = trace("Y", T(j) + T(1) / 2);
-        const auto span = face.outline.row(y);
-        if (span.empty) return;
-        const T left = trace("x_l", span.from);
-        const T right = trace("x_r", span.to);
-        const Int first = trace("first", greater(ceil(left - T(1) / 2), Int(frame.x0)));
-        const Int last = trace("last", lesser(ceil(right - T(1) / 2), Int(frame.x1)));
-        const T v = trace("v", s.v + (y - s.top) * s.v_ratio);
-        for (const Int i : trace.each('x', first, last)) put(i, j, pixel(s, i, v));
+        const Samples<T> row = row_of(*this, face.outline, j);
+        const T v = trace("v", s.v + (row.at - s.top) * s.v_ratio);
+        for (const Int i : trace.each('x', row.first, row.last)) put(i, j, pixel(s, i, v));
     }
     Pixel pixel(const Setup& s, const Int& i, const T& v) const {
         Pixel p;

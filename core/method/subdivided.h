@@ -26,13 +26,6 @@ struct Subdivided {
     struct Span {
         T u{}, v{}, du{}, dv{};
     };
-    struct Pixel {
-        T u{}, v{};
-        Texel<T> texel{};
-        Fate fate = Fate::written;
-        Note note = Note::none;
-    };
-
     Rect frame;
     const Texture& texture;
     float lightness;
@@ -49,31 +42,24 @@ struct Subdivided {
         const Matrix3<T> inverse = inverse_of(*this, face);
 
         trace.stage("pixels");
-        const auto rows = face.outline.rows();
-        const Int first = trace("first_row", greater(ceil(rows.low - T(1) / 2), Int(frame.y0)));
-        const Int last = trace("last_row", lesser(ceil(rows.high - T(1) / 2), Int(frame.y1)));
-        for (const Int j : trace.each('y', first, last)) draw_row(face, inverse, j, put);
+        const Samples<T> rows = rows_of(*this, face.outline);
+        for (const Int j : trace.each('y', rows.first, rows.last)) draw_row(face, inverse, j, put);
         return Fate::written;
     }
 
     void draw_row(const Face<T>& face, const Matrix3<T>& inverse, const Int& j, auto&& put) const {
-        const T y = trace("Y", T(j) + T(1) / 2);
-        const auto span = face.outline.row(y);
-        if (span.empty) return;
-        const T left = trace("x_l", span.from);
-        const T right = trace("x_r", span.to);
-        const Int first = trace("first", greater(ceil(left - T(1) / 2), Int(frame.x0)));
-        const Int last = trace("last", lesser(ceil(right - T(1) / 2), Int(frame.x1)));
+        const Samples<T> row = row_of(*this, face.outline, j);
 
-        Integer next = plain(first);
+        Integer next = plain(row.first);
+        const Integer final = plain(row.last) - 1;
         Span s;
-        for (const Int i : trace.walk('x', first, last)) {
+        for (const Int i : trace.walk('x', row.first, row.last)) {
             if (plain(i) == next) {
-                const Integer end = span_end(inverse, y, next, plain(last) - 1);
-                s = corrected(inverse, y, i, end);
+                const Integer end = span_end(inverse, row.at, next, final);
+                s = corrected(inverse, row.at, i, end);
                 next = greater(end, next + 1);
             }
-            if (trace.wanted('x', i)) put(i, j, pixel(s));
+            if (trace.wanted('x', i)) put(i, j, fragment_at(*this, s.u, s.v));
             s.u = s.u + s.du;
             s.v = s.v + s.dv;
         }
@@ -96,9 +82,8 @@ struct Subdivided {
         return s;
     }
     Place at(const Matrix3<T>& inverse, const T& x, const T& y) const {
-        const auto on = [&](const Row3<T>& row) { return row[0] * x + row[1] * y + row[2]; };
-        const T w = T(1) / on(inverse[2]);
-        return {on(inverse[0]) * w, on(inverse[1]) * w};
+        const T w = T(1) / value_at(inverse[2], x, y);
+        return {value_at(inverse[0], x, y) * w, value_at(inverse[1], x, y) * w};
     }
 
     /// The sample where the span that begins at `from` ends, at most `last`.
@@ -118,8 +103,7 @@ struct Subdivided {
     /// ≤ e exactly where r (|Δu| − e)² ≤ (|Δu| + e)², or |Δu| ≤ e.
     bool exact_enough(const Matrix3<T>& inverse, const T& y, Integer from, Integer to) const {
         const T x0 = T(Int(from)) + T(1) / 2, x1 = T(Int(to)) + T(1) / 2;
-        const auto w = [&](const T& x) { return inverse[2][0] * x + inverse[2][1] * y + inverse[2][2]; };
-        const T w0 = w(x0), w1 = w(x1);
+        const T w0 = value_at(inverse[2], x0, y), w1 = value_at(inverse[2], x1, y);
         const T near = greater(w0, w1), far = lesser(w0, w1);
         const Place a = at(inverse, x0, y), b = at(inverse, x1, y);
         const auto small = [&](const T& delta) {
@@ -127,15 +111,6 @@ struct Subdivided {
             return plain(size <= e) || plain(near * ((size - e) * (size - e)) <= far * ((size + e) * (size + e)));
         };
         return small(b.u - a.u) && small(b.v - a.v);
-    }
-
-    Pixel pixel(const Span& s) const {
-        Pixel p;
-        p.u = trace("u", s.u);
-        p.v = trace("v", s.v);
-        p.texel = read_texel(*this, p.u, p.v);
-        p.fate = trace.fate(Fate::written);
-        return p;
     }
 };
 

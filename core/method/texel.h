@@ -4,6 +4,7 @@
 #include "core/image/texture.h"
 #include "core/image/wrap.h"
 #include "core/number/real.h"
+#include "core/trace/fate.h"
 
 namespace texelscope {
 
@@ -48,6 +49,15 @@ struct Texel {
     IntegerOf<T> r{}, g{}, b{};    ///< lit [0, 255]
 };
 
+/// A sample that is covered, where a method computes nothing else for it.
+template <class T>
+struct Fragment {
+    T u{}, v{};
+    Texel<T> texel{};
+    Fate fate = Fate::written;
+    Note note = Note::none;
+};
+
 /// From (u, v) to the lit colour, for methods that do nothing else than this with it. Traced at the caller's line.
 /// @param as_printed  trunc(u) & (size - 1), as the sources index their textures, in place of floor and wrap mode.
 template <class T>
@@ -65,6 +75,17 @@ template <class T>
     t.g = method.trace("g", shaded<T>(colour.g, method.lightness, method.mode), line);
     t.b = method.trace("b", shaded<T>(colour.b, method.lightness, method.mode), line);
     return t;
+}
+
+/// A fragment of given (u, v), traced and written.
+template <class T>
+[[nodiscard]] Fragment<T> fragment_at(const auto& method, const T& u, const T& v, int line = __builtin_LINE()) {
+    Fragment<T> f;
+    f.u = method.trace("u", u, line);
+    f.v = method.trace("v", v, line);
+    f.texel = read_texel(method, f.u, f.v, false, line);
+    f.fate = method.trace.fate(Fate::written);
+    return f;
 }
 
 }  // namespace texelscope

@@ -55,9 +55,7 @@ struct TwoPass {
         const Face<T> face = face_of(*this, polygon, true);
         if (face.fate != Fate::written) return face.fate;
         const Outline<T> on_texture = texture_outline(face);
-        const T area = trace("texture_area", face_detail::doubled_uv_area(face));
-        if (plain(area == 0)) return trace.fate(Fate::undefined);
-        if (plain(texels_in(on_texture) > most_texels(texture))) return trace.fate(Fate::too_large);
+        if (const Fate fate = texture_fate(*this, face, on_texture); fate != Fate::written) return fate;
         trace.stage("map");
         const Matrix3<T> map = map_of(*this, face);
         trace.stage("inverse");
@@ -103,15 +101,10 @@ struct TwoPass {
     void second_pass(const Face<T>& face, const Matrix3<T>& inverse, const Buffer& tmp, auto&& put) const {
         trace.stage("pass 2");
         for (const Int x : trace.each('x', tmp.x0, tmp.x1)) {
-            const T X = trace("X", T(x) + T(1) / 2);
-            const auto span = face.outline.column(X);
-            if (span.empty) continue;
-            const Int first = trace("first", greater(face.outline.first(span), Int(frame.y0)));
-            const Int last = trace("last", lesser(face.outline.last(span), Int(frame.y1)));
-            for (const Int y : trace.each('y', first, last)) {
+            const Samples<T> column = column_of(*this, face.outline, x);
+            for (const Int y : trace.each('y', column.first, column.last)) {
                 const T Y = trace("Y", T(y) + T(1) / 2);
-                const auto on = [&](const Row3<T>& row) { return row[0] * X + row[1] * Y + row[2]; };
-                const T v = trace("v", on(inverse[1]) / on(inverse[2]));
+                const T v = trace("v", value_at(inverse[1], column.at, Y) / value_at(inverse[2], column.at, Y));
                 put(x, y, pixel(tmp, plain(x), v));
             }
         }
@@ -137,8 +130,8 @@ struct TwoPass {
             if (span.empty) continue;
             for (const Int u : trace.fill('u', ceil(span.from - T(1) / 2), ceil(span.to - T(1) / 2))) {
                 const T U = trace("u_c", T(u) + T(1) / 2);
-                const T w = trace("w", map[2][0] * U + map[2][1] * V + map[2][2]);
-                const Int x = trace("x", floor((map[0][0] * U + map[0][1] * V + map[0][2]) / w));
+                const T w = trace("w", value_at(map[2], U, V));
+                const Int x = trace("x", floor(value_at(map[0], U, V) / w));
                 if (!has_no_value(w) && plain(x) >= tmp.x0 && plain(x) < tmp.x1) tmp.at(plain(x), plain(v)) = plain(u);
             }
         }
@@ -159,8 +152,8 @@ struct TwoPass {
         p.u = trace("u", T(column) + T(1) / 2);
         p.v = trace("v_c", T(v) + T(1) / 2);
         const T U = trace("u_x", u_at(map, T(x) + T(1) / 2, p.v));
-        const T w = trace("w", map[2][0] * U + map[2][1] * p.v + map[2][2]);
-        const T Y = trace("Y", (map[1][0] * U + map[1][1] * p.v + map[1][2]) / w);
+        const T w = trace("w", value_at(map[2], U, p.v));
+        const T Y = trace("Y", value_at(map[1], U, p.v) / w);
         p.y = trace("y", floor(Y));
         if (has_no_value(Y)) return p.fate = trace.fate(Fate::undefined), p;
         if (plain(p.y) < frame.y0 || plain(p.y) >= frame.y1) return p.fate = trace.fate(Fate::off_screen), p;
