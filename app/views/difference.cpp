@@ -234,9 +234,9 @@ private:
         const int columns = legend_columns();
         const float width = std::floor(area.w / static_cast<float>(columns)), side = ui_.px(14);
         for (std::size_t n = 0; n < kShown.size(); ++n) {
-            const auto column = static_cast<float>(static_cast<int>(n) % columns),
-                       row = static_cast<float>(static_cast<int>(n) / columns);
-            const float x = area.x + column * width, middle = area.y + (row + .5F) * line() + ui_.px(2);
+            const int column = static_cast<int>(n) % columns, row = static_cast<int>(n) / columns;
+            const float x = area.x + static_cast<float>(column) * width;
+            const float middle = area.y + (static_cast<float>(row) + .5F) * line() + ui_.px(2);
             const ui::Area swatch{x, std::round(middle - side / 2), side, side};
             ui::fill(ui_.list(), swatch, ui_.theme()[kShown[n].role]);
             draw_mark(ui_.list(), kShown[n].cause, swatch, ui_.theme().outline);

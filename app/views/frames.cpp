@@ -45,10 +45,9 @@ public:
         foresee(ui_, "frames/scroll", content);
         const Area inner = ui_.begin_scroll("frames/scroll", area_);
         for (int n = 0; n < count; ++n) {
-            const auto column = static_cast<float>(n % in_row), row = static_cast<float>(n / in_row);
-            draw_frame(n,
-                       {inner.x + ui_.px(5) + column * (side + gap), inner.y + gap + row * (side + note), side, side},
-                       note);
+            const int column = n % in_row, row = n / in_row;
+            const float x = inner.x + ui_.px(5) + static_cast<float>(column) * (side + gap);
+            draw_frame(n, {x, inner.y + gap + static_cast<float>(row) * (side + note), side, side}, note);
         }
         draw_controls(inner, inner.y + static_cast<float>(rows) * (side + note) + 2 * gap, high, gap);
         ui_.end_scroll(content);
