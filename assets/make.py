@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-from drawing import banners, cards, flame, palette, png, surfaces, world  # noqa: E402
+from drawing import banners, cards, flame, marbles, palette, png, surfaces, world  # noqa: E402
 
 FOLDER = Path(__file__).resolve().parent
 PICTURES = {
@@ -26,6 +26,7 @@ PICTURES = {
     "textures/banner-3.png": banners.span,
     "textures/banner-4.png": banners.edge,
     "textures/flame.png": flame.flame,
+    "textures/marbles.png": marbles.marbles,
     "palettes/vga-1995.png": palette.vga_1995,
 }
 MOST_BYTES = 300_000  # of all of them together

@@ -49,4 +49,9 @@ namespace texelscope::answers {
 [[nodiscard]] Accepted hole(const Asked& asked);
 [[nodiscard]] Accepted buffer_width(const Asked& asked);
 
+// What random triangles cost (answers_race.cpp).
+[[nodiscard]] Accepted operations_order(const Asked& asked);
+[[nodiscard]] Accepted set_up_share(const Asked& asked);
+[[nodiscard]] Accepted frames_1995(const Asked& asked);
+
 }  // namespace texelscope::answers

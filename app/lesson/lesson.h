@@ -27,6 +27,11 @@ inline constexpr int kMaxTitle = 40, kMaxGroup = 24, kMaxSummary = 150;
 inline constexpr int kMaxLead = 56, kMaxProse = 130;
 inline constexpr int kMaxAsk = 84, kMaxOption = 18, kMaxAllOptions = 40;
 
+/// Random triangles that a lesson or a person may ask for: as many as can be drawn in every frame.
+inline constexpr int kMostTriangles = 10'000;
+inline constexpr float kLeastTriangleSide = 1, kMostTriangleSide = 640;  ///< of the square that holds one [px]
+inline constexpr int kMostSeed = 9999;
+
 /// On which lines of the file the keys of a block stand.
 struct KeyLines {
     int block = 0;  ///< where the block begins
@@ -46,8 +51,9 @@ struct BeatSettings {
     std::vector<std::pair<std::string, bool>> quirks;  ///< id or field, on
     /// "pixel 16,11", "texel 7,9", "name u_x", "line quirk.inclusive"; of this beat alone.
     std::optional<std::string> pin;
-    std::optional<bool> play, hits;  ///< start playing, in this beat alone; show the hit map
-    std::vector<std::string> views;  ///< replaces the lesson's views, in slot order
+    std::optional<RandomTriangles> random;  ///< in place of the scene's
+    std::optional<bool> play, hits;         ///< start playing, in this beat alone; show the hit map
+    std::vector<std::string> views;         ///< replaces the lesson's views, in slot order
     KeyLines lines;
 };
 

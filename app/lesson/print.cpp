@@ -69,6 +69,9 @@ namespace {
     for (const auto& [name, on] : set.quirks) quirks += fmt::format("{}{} = {}", quirks.empty() ? "" : ", ", name, on);
     if (!quirks.empty()) out += pair("quirks", fmt::format("{{ {} }}", quirks));
     if (set.pin) out += pair("pin", toml_text(*set.pin));
+    if (set.random)
+        out +=
+            pair("random", toml_text(fmt::format("{} {} {}", set.random->count, set.random->size, set.random->seed)));
     if (set.play) out += pair("play", *set.play ? "true" : "false");
     if (set.hits) out += pair("hits", *set.hits ? "true" : "false");
     if (!set.views.empty()) out += pair("views", list(set.views));

@@ -53,7 +53,7 @@ struct Asked {
 
 struct Question {
     std::string_view name;
-    /// Its arguments: NAME and FIELD are words, FROM, TO, V, OUTSIDE, INSIDE and E0 to E2 numbers, others whole
+    /// Its arguments: NAME, FIELD and METHOD are words, FROM, TO, V, OUTSIDE, INSIDE and E0 to E2 numbers, others whole
     /// numbers;
     /// "?" behind one: may be left out.
     std::string_view form;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -42,6 +43,24 @@ void demand_pin(Fields& fields, const std::string& pin, const Method& method) {
     }
 }
 
+/// "300 60 1": how many triangles, the side of the square that holds one, the seed.
+[[nodiscard]] std::optional<RandomTriangles> random_from(std::string_view text) {
+    std::array<double, 3> numbers{};
+    for (std::size_t n = 0; n < numbers.size(); ++n) {
+        const std::size_t end = n + 1 < numbers.size() ? text.find(' ') : text.size();
+        const auto number = end == text.npos ? std::nullopt : typed_number(text.substr(0, end));
+        if (!number) return std::nullopt;
+        numbers[n] = *number;
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    const auto [count, size, seed] = numbers;
+    const bool whole = count == std::floor(count) && seed == std::floor(seed);
+    if (!whole || count < 1 || count > kMostTriangles || size < kLeastTriangleSide || size > kMostTriangleSide ||
+        seed < 0 || seed > kMostSeed)
+        return std::nullopt;
+    return RandomTriangles{static_cast<int>(count), static_cast<float>(size), static_cast<std::uint32_t>(seed)};
+}
+
 /// Why parse_path does not read it.
 [[nodiscard]] std::string fault_of_path(std::string_view text, std::string_view example) {
     const std::size_t slash = text.find('/');
@@ -75,6 +94,14 @@ Result<BeatSettings> read_settings(const std::vector<TomlEntry>& entries, const 
     for (const auto& [quirk, on] : set.quirks) demand_quirk(fields, "quirks", quirk, words);
     set.pin = fields.text("pin");
     if (set.pin) demand_pin(fields, *set.pin, *words.method);
+    if (const auto random = fields.text("random")) {
+        set.random = random_from(*random);
+        if (!set.random)
+            fields.fail("random",
+                        fmt::format("is '{}', expected TRIANGLES SIZE SEED: whole numbers of 1 to {}, {} to "
+                                    "{} pixels, 0 to {}",
+                                    *random, kMostTriangles, kLeastTriangleSide, kMostTriangleSide, kMostSeed));
+    }
     set.play = fields.truth("play");
     set.hits = fields.truth("hits");
     if (const auto views = fields.texts("views")) set.views = *views, demand_views(fields, "views", set.views, words);

@@ -45,8 +45,14 @@ struct Needed {
     return std::any_of(scene.meshes.begin(), scene.meshes.end(),
                        [](const MeshPlacement& mesh) { return mesh.shape == Shape3d::jelly_cubes; });
 }
-constexpr std::array<Needed, 3> kNeeded{
-    {{"solids", "a solid", [](const Scene& s) { return !s.meshes.empty(); }},
+[[nodiscard]] bool has_palette(const Scene& scene) {
+    return std::any_of(scene.textures.begin(), scene.textures.end(),
+                       [](const auto& texture) { return !texture->palette.empty(); });
+}
+constexpr std::array<Needed, 5> kNeeded{
+    {{"race", "random triangles", [](const Scene& s) { return s.random.has_value(); }},
+     {"palette", "a texture with a palette", has_palette},
+     {"solids", "a solid", [](const Scene& s) { return !s.meshes.empty(); }},
      {"frames", "a texture with frames", [](const Scene& s) { return !s.animations.empty(); }},
      {"cut", "jelly cubes", has_jelly_cubes}}};
 
@@ -61,6 +67,8 @@ public:
     std::vector<BeatFault> run() {
         if (beat_.set.step) check_path("step", *beat_.set.step, beat_.set.lines);
         check_level();
+        if (beat_.set.random && !derived().scene().random)
+            fault(beat_.set.lines.of("random"), "sets random triangles, but the scene has none");
         if (beat_.set.pin) check_pin();
         if (beat_.prediction) check_prediction(*beat_.prediction);
         return std::move(faults_);

@@ -199,7 +199,8 @@ double Shell::due(double now, double rate, double next, const Action& action) {
 }
 
 void Shell::keep_time(const ui::Input& input, bool animated) {
-    if (animated) host_.wants_frames_until(input.time + 0.15);
+    if (const auto lap = racer_.advance(state(), store_.derived().scene())) store_.dispatch(*lap);
+    if (animated || state().race.running) host_.wants_frames_until(input.time + 0.15);
     next_step_ = state().playing ? due(input.time, double{state().look.speed}, next_step_, action::Step{1}) : 0;
     const action::SetFrame next_frame{state().work.frame + 1, kFramesGesture};
     next_frame_ = state().moving ? due(input.time, double{state().look.frame_rate}, next_frame_, next_frame) : 0;

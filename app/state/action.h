@@ -89,6 +89,17 @@ struct SetFrame {
     int frame = 0;  ///< of textures that move; wraps
     int gesture = 0;
 };
+struct SetRandom {
+    RandomTriangles to;  ///< kept within the limits of app/lesson/lesson.h
+    int gesture = 0;
+};  ///< where the scene has random triangles
+struct StartRace {
+    bool on;
+};  ///< times all methods, one after the other; or stops
+struct FinishLap {
+    Lap lap;
+    bool last = false;
+};  ///< of the race that runs
 struct PlayFrames {
     bool on;
 };
@@ -163,10 +174,10 @@ using Action =
                  action::Advance, action::SetLevel, action::Finer, action::StepIn, action::FinishUnit, action::Play,
                  action::Speed, action::ToggleBookmark, action::GoToBookmark, action::MoveVertex, action::MoveShape,
                  action::ChooseHandle, action::Turn, action::ChooseTurning, action::SetRatio, action::SetFocal,
-                 action::SetFrame, action::PlayFrames, action::FrameRate, action::SetFormat, action::SetMode,
-                 action::SetVariant, action::SetQuirk, action::SetQuirks, action::SetMethod, action::SetTexture,
-                 action::Choose, action::Type, action::Point, action::Check, action::Skip, action::Hover, action::Pin,
-                 action::SetLook, action::Show, action::ChooseLesson, action::Escape, action::Undo, action::Redo,
-                 action::Reset, action::Restore>;
+                 action::SetFrame, action::SetRandom, action::StartRace, action::FinishLap, action::PlayFrames,
+                 action::FrameRate, action::SetFormat, action::SetMode, action::SetVariant, action::SetQuirk,
+                 action::SetQuirks, action::SetMethod, action::SetTexture, action::Choose, action::Type, action::Point,
+                 action::Check, action::Skip, action::Hover, action::Pin, action::SetLook, action::Show,
+                 action::ChooseLesson, action::Escape, action::Undo, action::Redo, action::Reset, action::Restore>;
 
 }  // namespace texelscope

@@ -7,6 +7,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "core/measure/bill.h"
 #include "core/method/method.h"
 
 namespace texelscope {
@@ -53,19 +54,6 @@ struct Difference {
     const Method* other = nullptr;
     Grid<DifferenceCell> cells;
     std::array<int, kCauses> count{};  ///< cells of each cause
-};
-
-/// Operations on numbers with a fraction.
-struct OperationCount {
-    Integer additions = 0, multiplications = 0, divisions = 0;  ///< subtractions are additions
-
-    friend OperationCount operator+(const OperationCount& a, const OperationCount& b) {
-        return {a.additions + b.additions, a.multiplications + b.multiplications, a.divisions + b.divisions};
-    }
-    friend OperationCount operator*(Integer n, const OperationCount& a) {
-        return {n * a.additions, n * a.multiplications, n * a.divisions};
-    }
-    friend bool operator==(const OperationCount&, const OperationCount&) = default;
 };
 
 /// What a method does to draw the cursor's polygon, counted on the tape of one pixel: every pixel and every line of

@@ -14,12 +14,6 @@ namespace {
     return {method != nullptr ? method : &default_method(), work.format, work.quirks, work.mode};
 }
 
-/// The works make the same scene of a document.
-[[nodiscard]] bool same_scene(const Work& a, const Work& b) {
-    return a.edits == b.edits && a.meshes == b.meshes && a.focal == b.focal && a.frame == b.frame &&
-           a.texture == b.texture;
-}
-
 [[nodiscard]] bool trivial(Op op) { return op == Op::input || op == Op::constant || op == Op::same; }
 
 /// The expression that tells most of a unit: the last one that computes a number with a fraction, else anything.
@@ -61,6 +55,13 @@ namespace {
 }
 
 }  // namespace
+
+bool same_scene(const Work& a, const Work& b) {
+    return a.edits == b.edits && a.meshes == b.meshes && a.focal == b.focal && a.frame == b.frame &&
+           a.random == b.random && a.texture == b.texture;
+}
+
+bool same_race(const Work& a, const Work& b) { return a.format == b.format && a.mode == b.mode && same_scene(a, b); }
 
 Derived::Derived() : cache_(std::make_unique<Cache>()) {}
 Derived::~Derived() = default;

@@ -2,6 +2,7 @@
 // for and kept while what it depends on stays the same; views read it and compute nothing themselves.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -106,8 +107,17 @@ struct ShapeError {
     double most = 0;  ///< greatest |error| of u or v [texels]
 };
 inline constexpr Integer kMaxCompared = 4096;  ///< pixels of a shape's box; exact numbers are slow
-struct Lockstep;                               // app/state/lockstep.h
-struct TwoPassBuffer;                          // core/method/two_pass_buffer.h
+
+/// Where the colours of the cursor's texture are used.
+struct PaletteUse {
+    std::array<Integer, 256> texels{};  ///< how many texels of the texture have each index
+    std::array<Integer, 256> pixels{};  ///< how many pixels of the final picture show it
+    Grid<std::int16_t>
+        shown;  ///< the index of each pixel of the framebuffer; -1 where it is of no texel of the texture
+};
+
+struct Lockstep;       // app/state/lockstep.h
+struct TwoPassBuffer;  // core/method/two_pass_buffer.h
 
 class Derived {
 public:
@@ -154,6 +164,10 @@ public:
     [[nodiscard]] const Difference& difference(const Window& window, const Method& other) const;
     /// The methods that take the texture's plane as one matrix, and the state's own, over the cursor's polygon.
     [[nodiscard]] const std::vector<MethodCost>& costs() const;
+    /// What each method of a race computes for the scene, in the order of racers(); empty without shapes.
+    [[nodiscard]] const std::vector<Bill>& bills() const;
+    /// Of the cursor's texture. Pixels are those of opaque shapes with a light of 1, which keep the palette's colours.
+    [[nodiscard]] const PaletteUse& palette_use() const;
     [[nodiscard]] std::vector<Lane> lanes() const;                 ///< T, G, S, P, E in this order, always five
     [[nodiscard]] const std::vector<Variable>& variables() const;  ///< changed first, then by age
     /// How often each line ran in the current shape, up to the cursor; empty for a shape too large to count.
@@ -191,6 +205,10 @@ private:
     std::unique_ptr<Cache> cache_;
 };
 
+/// The works make the same scene of a document.
+[[nodiscard]] bool same_scene(const Work& a, const Work& b);
+/// Timings taken with one hold with the other: methods race corrected, whichever is chosen.
+[[nodiscard]] bool same_race(const Work& a, const Work& b);
 /// The scene with a state's edits and texture.
 /// @param faces  takes every face of every mesh; may be null.
 [[nodiscard]] Scene edited_scene(const Document& document, const Work& work, std::vector<PlacedFace>* faces = nullptr);

@@ -45,6 +45,8 @@ struct Derived::Cache {
         std::optional<Hits> hits;
         std::optional<ErrorMap> errors;
         std::optional<Difference> difference;
+        std::optional<std::vector<Bill>> bills;
+        std::optional<std::pair<const Texture*, PaletteUse>> palette;    ///< of which texture
         std::map<std::pair<int, Integer>, std::vector<TickKind>> rows;   ///< of a shape's stage
         std::optional<std::pair<int, std::vector<WalkedRow>>> walked;    ///< of a shape
         std::optional<std::pair<int, std::optional<ShapeError>>> error;  ///< of a shape

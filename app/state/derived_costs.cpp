@@ -12,28 +12,6 @@ constexpr std::array<std::string_view, 3> kCompared{"backward-affine", "backward
 
 constexpr Integer kMostCounted = 1 << 18;  ///< samples that a face may visit: more would hold up the step
 
-[[nodiscard]] bool has_fraction(const Value& value) {
-    return !std::holds_alternative<bool>(value) && !std::holds_alternative<Integer>(value);
-}
-
-/// Of the operations [from, to) of the tape. What is made of constants alone is computed by nobody.
-[[nodiscard]] OperationCount count(const Tape& tape, std::int32_t from, std::int32_t to) {
-    std::vector<bool> constant(tape.operations.size());
-    OperationCount n;
-    for (std::int32_t o = 0; o < to; ++o) {
-        const Operation& op = tape.operations[static_cast<std::size_t>(o)];
-        const auto fixed = [&](std::int32_t x) { return x < 0 || constant[static_cast<std::size_t>(x)]; };
-        const bool leaf = op.op == Op::input || op.op == Op::constant;
-        constant[static_cast<std::size_t>(o)] =
-            op.op == Op::constant || (!leaf && fixed(op.a) && fixed(op.b) && fixed(op.c));
-        if (o < from || leaf || constant[static_cast<std::size_t>(o)] || !has_fraction(op.value)) continue;
-        n.additions += op.op == Op::add || op.op == Op::subtract;
-        n.multiplications += op.op == Op::multiply;
-        n.divisions += op.op == Op::divide;
-    }
-    return n;
-}
-
 /// Where on the tape the round of a loop begins: its variable's place. The tape's end where there is none.
 [[nodiscard]] std::int32_t round_of(const Tape& tape, char letter, std::int32_t after) {
     for (const Named& named : tape.names) {
@@ -75,9 +53,9 @@ constexpr Integer kMostCounted = 1 << 18;  ///< samples that a face may visit: m
 
     const Tape& tape = steps.at(*path).tape;
     const std::int32_t line = round_of(tape, outer, -1), sample = round_of(tape, inner, line);
-    cost.setup = count(tape, 0, line);
-    cost.line = count(tape, line, sample);
-    cost.pixel = count(tape, sample, static_cast<std::int32_t>(tape.operations.size()));
+    cost.setup = operations_on(tape, 0, line);
+    cost.line = operations_on(tape, line, sample);
+    cost.pixel = operations_on(tape, sample, static_cast<std::int32_t>(tape.operations.size()));
     return cost;
 }
 

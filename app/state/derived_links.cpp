@@ -104,6 +104,19 @@ Highlight Derived::highlight(const Selection& selection) const {
             }
             break;
         }
+        case Selection::Kind::colour: {
+            const auto& indices = texture().indices;
+            for (int y = 0; y < indices.height(); ++y)
+                for (int x = 0; x < indices.width(); ++x)
+                    if (indices.at(x, y) == selection.colour) h.texels.emplace_back(x, y);
+            if (h.texels.empty()) break;
+            const Grid<std::int16_t>& shown = palette_use().shown;
+            const Rect frame = scene().framebuffer.rect();
+            for (int y = 0; y < shown.height(); ++y)
+                for (int x = 0; x < shown.width() && h.pixels.size() < kMostLinked; ++x)
+                    if (shown.at(x, y) == selection.colour) h.pixels.emplace_back(frame.x0 + x, frame.y0 + y);
+            break;
+        }
         case Selection::Kind::tick:
             h.ticks.push_back(selection.tick);
             if (const auto x = selection.tick.index_of('x'), y = selection.tick.index_of('y'); x && y)

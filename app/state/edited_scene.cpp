@@ -27,6 +27,10 @@ Scene edited_scene(const Document& document, const Work& work, std::vector<Place
         std::vector<PlacedFace> placed = place_meshes(scene);
         if (faces != nullptr) *faces = std::move(placed);
     }
+    if (scene.random && work.random) {
+        scene.random = work.random;
+        place_random(scene);
+    }
     for (const VertexEdit& edit : work.edits) apply(edit, scene);
     if (work.frame != 0) show_frame(scene, work.frame);
     if (work.texture && !scene.textures.empty()) scene.textures.front() = work.texture;

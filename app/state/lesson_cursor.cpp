@@ -55,6 +55,7 @@ void apply(State& state, const BeatSettings& set, std::optional<Path>& step) {
     state.playing = set.play.value_or(false);
     state.moving = false;
     if (set.hits) state.look.hits = *set.hits;
+    if (set.random) state.work.random = set.random;
 }
 
 }  // namespace
@@ -95,6 +96,7 @@ void go_to_beat(State& state, int beat, Derived& derived) {
     state.cursor.beat = std::clamp(beat, 0, std::max(0, beat_count(state) - 1));
     state.work.method = lesson.method;
     state.look.hits = false;
+    state.work.random.reset();
     BeatSettings start;
     start.variant = lesson.variant;
     start.number = lesson.format;

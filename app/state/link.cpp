@@ -136,6 +136,14 @@ template <class T>
            read_float(parts[6], v.u) && read_float(parts[7], v.v);
 }
 
+/// "count,size,seed", as action::SetRandom would leave it.
+[[nodiscard]] bool read_random(std::string_view text, RandomTriangles& random) {
+    const auto parts = split(text, ',');
+    return parts.size() == 3 && read(parts[0], random.count) && read_float(parts[1], random.size) &&
+           read(parts[2], random.seed) && random.count >= 1 && random.count <= kMostTriangles &&
+           random.size >= kLeastTriangleSide && random.size <= kMostTriangleSide;
+}
+
 /// One "key=value". Returns false where the value makes no sense.
 [[nodiscard]] bool read_field(std::string_view key, std::string_view value, Link& link) {
     Work& work = link.work;
@@ -168,6 +176,7 @@ template <class T>
     if (key == "e") return read_edit(value, work.edits.emplace_back());
     if (key == "r") return read_mesh(value, work.meshes.emplace_back());
     if (key == "c") return read_float(value, work.focal) && work.focal >= 0;
+    if (key == "g") return read_random(value, work.random.emplace());
     if (key == "f") return read(value, work.frame) && work.frame >= 0;
     if (key == "a") return read_answer(value, work.answers.emplace_back());
     if (key == "t") {
@@ -203,6 +212,7 @@ std::string print_link(const State& state) {
     for (const MeshEdit& e : w.meshes) text += print_mesh(e);
     if (w.focal > 0) text += fmt::format(";c={}", w.focal);
     if (w.frame != 0) text += fmt::format(";f={}", w.frame);
+    if (w.random) text += fmt::format(";g={},{},{}", w.random->count, w.random->size, w.random->seed);
     for (const Answer& a : w.answers) text += ";" + print_answer(a);
     if (!w.texture_file.empty()) text += ";t=" + escaped(w.texture_file);
     return with_checksum(text);

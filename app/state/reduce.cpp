@@ -23,7 +23,9 @@ constexpr float kLeastRatio = 0.05F, kMostRatio = 4;    ///< of jelly cubes
 constexpr float kLeastFocal = 1, kMostFocal = 1 << 16;  ///< [px]
 constexpr std::int64_t kLongestPeriod = 1 << 20;        ///< of all textures that move together [frames]
 constexpr double kMostDegrees = 360;                    ///< of one turn
-constexpr float kFarthest = 1e6F;                       ///< a corner is kept within this of the origin [px]
+constexpr std::string_view kNoRandom = "This scene has no random triangles.";
+constexpr std::string_view kExactRace = "Exact numbers are no racers: they say what is right. Choose another format.";
+constexpr float kFarthest = 1e6F;  ///< a corner is kept within this of the origin [px]
 
 /// The step and the level that a lesson's beats up to this one ask for.
 [[nodiscard]] std::pair<Path, Level> step_asked(const State& state, int beat) {
@@ -176,6 +178,34 @@ public:
         s_.work.frame = static_cast<int>(euclidean_modulo(a.frame, period));
         settle();
     }
+    void operator()(const action::SetRandom& a) {
+        if (!derived_.scene().random) {
+            s_.message = {std::string(kNoRandom)};
+            return;
+        }
+        if (!std::isfinite(a.to.size)) return;
+        const auto& polygons = derived_.scene().polygons;
+        auto& edits = s_.work.edits;  // the triangles whose corners were moved are gone
+        edits.erase(std::remove_if(edits.begin(), edits.end(),
+                                   [&](const VertexEdit& e) {
+                                       const auto n = static_cast<std::size_t>(e.polygon);
+                                       return n >= polygons.size() || polygons[n].random;
+                                   }),
+                    edits.end());
+        s_.work.random = RandomTriangles{std::clamp(a.to.count, 1, kMostTriangles),
+                                         std::clamp(a.to.size, kLeastTriangleSide, kMostTriangleSide), a.to.seed};
+        settle(false);
+    }
+    void operator()(const action::StartRace& a) {
+        s_.race.running = a.on && derived_.drawing().shape_count() > 0 && s_.work.format != NumberFormat::exact;
+        if (a.on && s_.work.format == NumberFormat::exact) s_.message = {std::string(kExactRace)};
+        if (s_.race.running) s_.race.laps.clear();
+    }
+    void operator()(const action::FinishLap& a) {
+        if (!s_.race.running) return;
+        s_.race.laps.push_back(a.lap);
+        s_.race.running = !a.last;
+    }
     void operator()(const action::PlayFrames& a) { s_.moving = a.on && derived_.frames().count > 1; }
     void operator()(const action::FrameRate& a) {
         s_.look.frame_rate = std::clamp(s_.look.frame_rate * a.factor, 1.0F, 64.0F);
@@ -270,8 +300,8 @@ public:
             s_.look.blank = false;
         else if (s_.overlay != Overlay::none)
             s_.overlay = Overlay::none;
-        else if (s_.playing || s_.moving)
-            s_.playing = s_.moving = false;
+        else if (s_.playing || s_.moving || s_.race.running)
+            s_.playing = s_.moving = s_.race.running = false;
         else
             s_.pinned = {}, s_.handle = {}, s_.turning = {};
     }
@@ -382,6 +412,7 @@ State reduce(const State& state, const Action& action, Derived& derived) {
     if (!std::holds_alternative<action::Hover>(action)) next.message = {};
     if (!next.document && !std::holds_alternative<action::Open>(action)) return next;
     std::visit(Reducer(next, derived), action);
+    if (next.document != state.document || !same_race(state.work, next.work)) next.race = {};
     derived.update(next);
     return next;
 }

@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include "app/lesson/lesson.h"
+#include "core/measure/race.h"
 #include "core/method/drawing.h"
 #include "core/scene/scene.h"
 
@@ -64,12 +65,13 @@ struct Work {
     std::string method, variant;  ///< ids
     NumberFormat format = NumberFormat::f64;
     NumberMode mode;
-    QuirkSet quirks = 0;            ///< as they stand, the variant's with the switches applied
-    std::vector<VertexEdit> edits;  ///< sorted by polygon, then vertex
-    std::vector<MeshEdit> meshes;   ///< sorted by mesh
-    float focal = 0;                ///< of the camera [px]; 0: the scene's
-    int frame = 0;                  ///< of all textures that move, from 0
-    std::string texture_file;       ///< a person's own image in place of the scene's first texture; empty for none
+    QuirkSet quirks = 0;                    ///< as they stand, the variant's with the switches applied
+    std::vector<VertexEdit> edits;          ///< sorted by polygon, then vertex
+    std::vector<MeshEdit> meshes;           ///< sorted by mesh
+    float focal = 0;                        ///< of the camera [px]; 0: the scene's
+    int frame = 0;                          ///< of all textures that move, from 0
+    std::optional<RandomTriangles> random;  ///< in place of the scene's, where it has some
+    std::string texture_file;  ///< a person's own image in place of the scene's first texture; empty for none
     std::shared_ptr<const Texture> texture;  ///< its texels
     std::vector<Answer> answers;
     friend bool operator==(const Work&, const Work&) = default;
@@ -85,11 +87,12 @@ struct Cursor {
 
 /// One thing that is selected; all views show it at once.
 struct Selection {
-    enum class Kind : std::uint8_t { none, pixel, texel, name, line, tick };
+    enum class Kind : std::uint8_t { none, pixel, texel, name, line, tick, colour };
     Kind kind = Kind::none;
     glm::ivec2 at{0};  ///< pixel (absolute) or texel
     std::string name;  ///< of a variable
     int line = 0;
+    int colour = 0;  ///< of the palette of the cursor's texture
     Path tick;
     friend bool operator==(const Selection&, const Selection&) = default;
 };
@@ -102,6 +105,7 @@ struct Look {
     float scale = 1;  ///< of text [1, 2.5]
     bool presenting = false, blank = false;
     bool hits = false;          ///< the hit map: how often each pixel was written
+    bool palette = false;       ///< the view `palette` stands in the first place beside the canvas
     bool plain_code = true;     ///< trace(…) folded away in the listing
     std::vector<int> unfolded;  ///< folds of the listing that were opened, by their first lines
     bool reduced_motion = false, letter_keys = true;
@@ -116,6 +120,12 @@ struct Look {
 
 /// What covers a part of the window: the two large lists, the header's small ones, its field for a place to go to.
 enum class Overlay : std::uint8_t { none, lessons, keys, formats, quirks, go_to };
+
+/// Which methods have been timed over the scene as it stands. No part of Work: undo brings no timings back.
+struct Race {
+    bool running = false;
+    std::vector<Lap> laps;  ///< finished, in the order of racers() (core/measure/bill.h)
+};
 
 /// The corner that keys move.
 struct Handle {
@@ -144,6 +154,7 @@ struct State {
     bool playing = false;
     bool moving = false;  ///< textures that move do
     std::vector<Path> bookmarks;
+    Race race;
     Message message;  ///< one line, until the next action
 };
 

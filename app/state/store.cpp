@@ -12,11 +12,11 @@ constexpr std::size_t kMostEntries = 1000;
     return std::holds_alternative<action::MoveVertex>(a) || std::holds_alternative<action::MoveShape>(a) ||
            std::holds_alternative<action::SetQuirks>(a) || std::holds_alternative<action::Turn>(a) ||
            std::holds_alternative<action::SetRatio>(a) || std::holds_alternative<action::SetFocal>(a) ||
-           std::holds_alternative<action::SetFrame>(a) || std::holds_alternative<action::SetFormat>(a) ||
-           std::holds_alternative<action::SetMode>(a) || std::holds_alternative<action::SetVariant>(a) ||
-           std::holds_alternative<action::SetQuirk>(a) || std::holds_alternative<action::SetMethod>(a) ||
-           std::holds_alternative<action::SetTexture>(a) || std::holds_alternative<action::Reset>(a) ||
-           std::holds_alternative<action::Restore>(a);
+           std::holds_alternative<action::SetFrame>(a) || std::holds_alternative<action::SetRandom>(a) ||
+           std::holds_alternative<action::SetFormat>(a) || std::holds_alternative<action::SetMode>(a) ||
+           std::holds_alternative<action::SetVariant>(a) || std::holds_alternative<action::SetQuirk>(a) ||
+           std::holds_alternative<action::SetMethod>(a) || std::holds_alternative<action::SetTexture>(a) ||
+           std::holds_alternative<action::Reset>(a) || std::holds_alternative<action::Restore>(a);
 }
 
 /// The drag that the action belongs to; 0 for none.
@@ -54,6 +54,7 @@ void Store::undo(std::vector<Entry>& from, std::vector<Entry>& to) {
     state_.work = std::move(from.back().work);
     state_.cursor = std::move(from.back().cursor);
     state_.message = {};
+    if (!same_race(to.back().work, state_.work)) state_.race = {};
     state_.moving = false;  // or the next frame would be an edit, and there were nothing left to redo
     from.pop_back();
     derived_.update(state_);
@@ -62,7 +63,7 @@ void Store::undo(std::vector<Entry>& from, std::vector<Entry>& to) {
 State opened(std::shared_ptr<const Document> document, const State& before) {
     State state;
     state.look = before.look;
-    state.look.hits = false;
+    state.look.hits = state.look.palette = false;
     state.look.zoom = 0;
     state.done = before.done;
     state.chosen_lesson = before.chosen_lesson;

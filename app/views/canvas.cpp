@@ -104,13 +104,20 @@ void draw_layers(Sheet& sheet) {
     draw_notices(sheet);
 }
 
+/// Not where a picture has room for all of its pixels only without them.
+[[nodiscard]] bool has_rulers(const ui::Ui& ui, const ui::Area& place, const Framebuffer& frame) {
+    const glm::vec2 room = ruler_room(ui, frame);
+    const ui::Area beside{place.x + room.x, place.y + room.y, place.w - room.x, place.h - room.y};
+    return fit_zoom(beside, frame) >= 1 || fit_zoom(place, frame) < 1;
+}
+
 void draw(const ViewContext& ctx, const ui::Area& place) {
     ui::Ui& ui = ctx.ui;
     const Framebuffer& frame = ctx.derived.scene().framebuffer;
     const ui::Theme& theme = ui.theme();
     ui.begin_panel("canvas", place, {}, {}, theme.canvas);
     const float margin = ui.presenting() ? kPresentingMargin : 0;
-    const glm::vec2 room = ruler_room(ui, frame);
+    const glm::vec2 room = has_rulers(ui, place, frame) ? ruler_room(ui, frame) : glm::vec2(0);
     const ui::Area area{place.x + room.x + margin, place.y + room.y + margin,
                         std::max(1.0F, place.w - room.x - 2 * margin), std::max(1.0F, place.h - room.y - 2 * margin)};
     const CanvasMap map = make_map(area, frame, ctx.state.look);
@@ -131,7 +138,7 @@ void draw(const ViewContext& ctx, const ui::Area& place) {
     ui.end_clip();
     if (ui.presenting())
         ui::frame(ui.list(), area.inset(-1, -1), theme.hairline);
-    else
+    else if (room.x > 0)
         draw_rulers(sheet, place);
     ui.end_panel();
 }

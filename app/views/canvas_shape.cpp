@@ -178,8 +178,9 @@ void draw_outlines(const Sheet& sheet) {
     const int current = current_polygon(derived);
     const ui::Color faint = ui::with_alpha(sheet.color(Role::muted), .6F);
     for (int p = 0; p < static_cast<int>(std::min(polygons.size(), kMostOutlined)); ++p) {
-        if (p != current || is_triangle(derived))
-            draw_ring(sheet, polygons[static_cast<std::size_t>(p)].vertices, 1, faint);
+        const Polygon& polygon = polygons[static_cast<std::size_t>(p)];
+        if (p != current && polygon.random) continue;  // hundreds would hide each other's texels
+        if (p != current || is_triangle(derived)) draw_ring(sheet, polygon.vertices, 1, faint);
     }
     if (current < 0) return;
     const std::span<const Vertex> corners = derived.drawing().corners(derived.shape());

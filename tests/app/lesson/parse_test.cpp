@@ -91,6 +91,15 @@ TEST(ParseLesson, PrintedTextIsTheSameLesson) {
     EXPECT_EQ(again->beats[0].prose, lesson->beats[0].prose);
 }
 
+TEST(ParseLesson, RandomTrianglesSurvivePrinting) {
+    const auto lesson = parse_lesson(changed("hits = true", "random = \"300 62.5 7\""), kFile);
+    ASSERT_TRUE(lesson) << lesson.error().text();
+    EXPECT_EQ(lesson->beats[0].set.random, (RandomTriangles{300, 62.5F, 7}));
+    const auto again = parse_lesson(print_lesson(*lesson), kFile);
+    ASSERT_TRUE(again) << again.error().text();
+    EXPECT_EQ(again->beats[0].set.random, lesson->beats[0].set.random);
+}
+
 TEST(ParseLesson, LettersThatLookLikeMarkdownSurvivePrinting) {
     const auto lesson = parse_lesson(changed("Prose with", R"(1\. \_a\_ \[b\] \<c> 3 \$ \* 4 \# \& \~~ end)"), kFile);
     ASSERT_TRUE(lesson) << lesson.error().text();
@@ -205,6 +214,11 @@ const std::vector<Fault> kFaults{
     {"PinOnNothing", "line quirk.inclusive", "line quirk.nothing", 19, "nowhere"},
     {"PinOfNoKind", "\"line quirk.inclusive\"", "\"pixels 1,2\"", 19, "pixel X,Y"},
     {"PinWithoutPlace", "\"line quirk.inclusive\"", "\"pixel 1\"", 19, "pixel X,Y"},
+    {"RandomOfTwoNumbers", "hits = true", "random = \"300 60\"", 20, "TRIANGLES SIZE SEED"},
+    {"RandomOfFour", "hits = true", "random = \"300 60 1 2\"", 20, "TRIANGLES SIZE SEED"},
+    {"RandomTooMany", "hits = true", "random = \"10001 60 1\"", 20, "1 to 10000"},
+    {"RandomHalfATriangle", "hits = true", "random = \"2.5 60 1\"", 20, "whole numbers"},
+    {"RandomOfNoSize", "hits = true", "random = \"3 0 1\"", 20, "pixels"},
     {"HitsNoTruth", "hits = true", "hits = \"yes\"", 20, "true or false"},
     {"UnknownSetKey", "hits = true", "hints = true", 20, "'hints'"},
     {"TwoSets", "## The second one.", "```set\n```\n\n## The second one.", 23, "second set"},
