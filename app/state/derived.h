@@ -194,6 +194,8 @@ private:
 /// The scene with a state's edits and texture.
 /// @param faces  takes every face of every mesh; may be null.
 [[nodiscard]] Scene edited_scene(const Document& document, const Work& work, std::vector<PlacedFace>* faces = nullptr);
+/// The corner of a handle; null where there is none.
+[[nodiscard]] const Vertex* vertex_of(const Scene& scene, const Handle& handle);
 /// Where a handle stands in the edited scene.
 [[nodiscard]] glm::vec2 position_of(const Scene& scene, const Handle& handle);
 

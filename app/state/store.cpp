@@ -10,6 +10,7 @@ constexpr std::size_t kMostEntries = 1000;
 /// Whether undo takes this action back.
 [[nodiscard]] bool is_edit(const Action& a) {
     return std::holds_alternative<action::MoveVertex>(a) || std::holds_alternative<action::MoveShape>(a) ||
+           std::holds_alternative<action::SetDepth>(a) || std::holds_alternative<action::TurnRing>(a) ||
            std::holds_alternative<action::SetQuirks>(a) || std::holds_alternative<action::Turn>(a) ||
            std::holds_alternative<action::SetRatio>(a) || std::holds_alternative<action::SetFocal>(a) ||
            std::holds_alternative<action::SetFrame>(a) || std::holds_alternative<action::SetFormat>(a) ||
