@@ -49,4 +49,8 @@ namespace texelscope::answers {
 [[nodiscard]] Accepted hole(const Asked& asked);
 [[nodiscard]] Accepted buffer_width(const Asked& asked);
 
+// Two methods over one scene (answers_mappers.cpp).
+[[nodiscard]] Accepted differs(const Asked& asked);
+[[nodiscard]] Accepted cause(const Asked& asked);
+
 }  // namespace texelscope::answers

@@ -164,7 +164,9 @@ struct Reset {};  ///< the document as it was opened; undoable
 struct Restore {
     Work work;
     Cursor cursor;
-};  ///< a pasted state of the document that is open
+    ComparedRun other;
+    bool difference = false;  ///< as of Look
+};                            ///< a pasted state of the document that is open
 
 }  // namespace action
 

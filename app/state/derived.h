@@ -150,8 +150,8 @@ public:
     /// How often the whole drawing writes each cell of the window, up to 255.
     [[nodiscard]] const Grid<std::uint8_t>& hits(const Window& window) const;
     [[nodiscard]] const ErrorMap& errors(const Window& window) const;
-    /// Against another method, corrected, with the same numbers.
-    [[nodiscard]] const Difference& difference(const Window& window, const Method& other) const;
+    /// Against the run that the look asks for.
+    [[nodiscard]] const Difference& difference(const Window& window) const;
     /// The methods that take the texture's plane as one matrix, and the state's own, over the cursor's polygon.
     [[nodiscard]] const std::vector<MethodCost>& costs() const;
     [[nodiscard]] std::vector<Lane> lanes() const;                 ///< T, G, S, P, E in this order, always five

@@ -33,7 +33,7 @@ constexpr std::array kBindings{
     Binding{{Key::left, true}, Command::previous_bookmark}, Binding{{Key::right, true}, Command::next_bookmark},
     Binding{{Key::v}, Command::move_vertex}, Binding{{Key::i}, Command::inspect_pixel},
     Binding{{Key::o}, Command::turn_solid}, Binding{{Key::f}, Command::move_texture},
-    Binding{{Key::h}, Command::hits}, Binding{{Key::x}, Command::variant}, Binding{{Key::c}, Command::plain_code},
+    Binding{{Key::h}, Command::hits}, Binding{{Key::d}, Command::difference}, Binding{{Key::x}, Command::variant}, Binding{{Key::c}, Command::plain_code},
     Binding{{Key::p}, Command::predict},
     Binding{{Key::z, true}, Command::undo}, Binding{{Key::y, true}, Command::redo}, Binding{{Key::z, true, true}, Command::redo},
     Binding{{Key::r}, Command::reset},
@@ -69,6 +69,7 @@ constexpr std::array kHelp{
     KeyHelp{"Look and change", "F", "move textures, or stop them"},
     KeyHelp{"Look and change", "I + arrows", "inspect a pixel; Ctrl 8 px"},
     KeyHelp{"Look and change", "H", "how often each pixel was written"},
+    KeyHelp{"Look and change", "D", "where another method differs, and why"},
     KeyHelp{"Look and change", "X", "as printed or corrected"},
     KeyHelp{"Look and change", "C", "plain code, or with its trace"},
     KeyHelp{"Look and change", "P", "check the prediction"},
@@ -352,6 +353,7 @@ private:
         if (press.repeat && command != Command::larger_text && command != Command::smaller_text) return;
         switch (command) {
             case Command::hits: return set_look([](Look& l) { l.hits = !l.hits; });
+            case Command::difference: return set_look([](Look& l) { l.difference = !l.difference, l.tab = 0; });
             case Command::plain_code: return set_look([](Look& l) { l.plain_code = !l.plain_code; });
             case Command::present: return set_look([](Look& l) { l.presenting = !l.presenting, l.blank = false; });
             case Command::blank: return set_look([](Look& l) { l.blank = !l.blank; });

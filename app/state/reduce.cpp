@@ -301,6 +301,7 @@ public:
     }
     void operator()(const action::Restore& a) {
         s_.work = a.work, s_.cursor = a.cursor;
+        s_.look.other = a.other, s_.look.difference = a.difference;
         s_.cursor.beat = std::clamp(s_.cursor.beat, 0, std::max(0, beat_count(s_) - 1));
         settle();
     }

@@ -63,7 +63,8 @@ void Store::undo(std::vector<Entry>& from, std::vector<Entry>& to) {
 State opened(std::shared_ptr<const Document> document, const State& before) {
     State state;
     state.look = before.look;
-    state.look.hits = false;
+    state.look.hits = state.look.difference = false;
+    state.look.other = {};
     state.look.zoom = 0;
     state.done = before.done;
     state.chosen_lesson = before.chosen_lesson;

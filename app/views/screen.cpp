@@ -20,7 +20,7 @@ using ui::Role;
 
 constexpr std::array<std::string_view, 3> kUsualViews{"texels", "formula", "code"};
 constexpr std::string_view kCanvas = "canvas", kVariables = "variables", kLesson = "lesson", kLessonTab = "Lesson",
-                           kValuesTab = "Values";
+                           kDifference = "difference", kValuesTab = "Values";
 constexpr std::string_view kNoView = "There is no view \"{}\" in this version.";
 constexpr std::string_view kNothingOpen = "Nothing is open. L lists the lessons, Ctrl+O opens a scene.";
 
@@ -49,6 +49,10 @@ void draw_slots(const ViewContext& c, const ScreenLayout& at) {
 [[nodiscard]] std::vector<std::string_view> tab_views(const State& state, const ScreenLayout& at) {
     std::vector<std::string_view> names = side_views(state);
     if (names.size() >= 3) std::rotate(names.begin(), names.begin() + 1, names.begin() + 3);
+    if (state.look.difference) {  // what was asked for is the tab that is open
+        const auto asked = std::find(names.begin(), names.end(), kDifference);
+        std::rotate(names.begin(), asked, asked + 1);
+    }
     if (at.variables.empty()) names.push_back(kVariables);
     if (at.lesson.empty()) names.push_back(kLesson);
     return names;
@@ -112,6 +116,8 @@ std::vector<std::string_view> side_views(const State& state) {
     }
     names.erase(std::remove(names.begin(), names.end(), kCanvas), names.end());
     if (names.empty()) names.assign(kUsualViews.begin(), kUsualViews.end());
+    const bool shown = std::find(names.begin(), names.end(), kDifference) != names.end();
+    if (state.look.difference && !shown) names.back() = kDifference;
     return names;
 }
 

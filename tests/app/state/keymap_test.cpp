@@ -76,6 +76,18 @@ TEST_F(KeymapTest, SingleLettersCanBeSwitchedOff) {
     EXPECT_EQ(press({Key::z, true}).actions.size(), 1U);
 }
 
+TEST_F(KeymapTest, DShowsTheDifferenceInTheTabThatIsOpenAndTakesItAway) {
+    Look look = store.state().look;
+    look.tab = 2;
+    store.dispatch(action::SetLook{look});
+    store.dispatch(only<action::SetLook>(press({Key::d})));
+    EXPECT_TRUE(store.state().look.difference);
+    EXPECT_EQ(store.state().look.tab, 0);
+    store.dispatch(only<action::SetLook>(press({Key::d})));
+    EXPECT_FALSE(store.state().look.difference);
+    EXPECT_FALSE(store.can_undo());
+}
+
 TEST_F(KeymapTest, VWithPlusAndMinusDoublesADepthInEightPresses) {
     store.dispatch(action::ChooseHandle{{0, 2, false}});
     const auto depth = [&] { return store.derived().scene().polygons[0].vertices[2].w; };
