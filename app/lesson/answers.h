@@ -53,5 +53,8 @@ namespace texelscope::answers {
 [[nodiscard]] Accepted operations_order(const Asked& asked);
 [[nodiscard]] Accepted set_up_share(const Asked& asked);
 [[nodiscard]] Accepted frames_1995(const Asked& asked);
+// Two methods over one scene (answers_mappers.cpp).
+[[nodiscard]] Accepted differs(const Asked& asked);
+[[nodiscard]] Accepted cause(const Asked& asked);
 
 }  // namespace texelscope::answers

@@ -53,6 +53,7 @@ struct BeatSettings {
     std::optional<std::string> pin;
     std::optional<RandomTriangles> random;  ///< in place of the scene's
     std::optional<bool> play, hits;         ///< start playing, in this beat alone; show the hit map
+    std::optional<std::string> against;     ///< what the view `difference` compares with: "METHOD VARIANT NUMBER"
     std::vector<std::string> views;         ///< replaces the lesson's views, in slot order
     KeyLines lines;
 };

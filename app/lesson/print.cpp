@@ -74,6 +74,7 @@ namespace {
             pair("random", toml_text(fmt::format("{} {} {}", set.random->count, set.random->size, set.random->seed)));
     if (set.play) out += pair("play", *set.play ? "true" : "false");
     if (set.hits) out += pair("hits", *set.hits ? "true" : "false");
+    if (set.against) out += pair("against", toml_text(*set.against));
     if (!set.views.empty()) out += pair("views", list(set.views));
     return out.empty() ? out : fmt::format("\n```set\n{}```\n", out);
 }

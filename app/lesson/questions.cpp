@@ -10,6 +10,7 @@
 #include "app/lesson/answers.h"
 #include "app/lesson/facts.h"
 #include "app/lesson/fields.h"
+#include "app/state/compared_run.h"
 #include "app/state/derived.h"
 #include "app/state/lesson_cursor.h"
 #include "core/measure/bill.h"
@@ -83,6 +84,10 @@ constexpr auto kQuestions = std::to_array<Question>({
     {"frames-1995", "", Kind::number, "", "", false,
      "how many times a second the scene's pixels were drawn at 100 ns each; a twentieth either way",
      answers::frames_1995},
+    {"differs", "METHOD VARIANT? NUMBER?", Kind::pixel, "", "", false,
+     "a pixel for which another run reads another texel, or that only one of the two draws", answers::differs},
+    {"cause", "METHOD VARIANT? NUMBER?", Kind::choice, "coverage|offset|rounding|warp|none", "", false,
+     "why another run differs, in most of the pixels in which it does", answers::cause},
 });
 
 constexpr std::string_view kPlaces = "Mark it first: point, or move there with I and the arrows.";
@@ -123,6 +128,13 @@ constexpr std::string_view kChoose = "Choose first.", kType = "Type a number fir
         if (token == "CORNER" && !corner) return "a corner's number such as u1";
         if (token == "FIELD" && !quirk_number(method, word)) return fmt::format("a quirk of {}", method.id);
         if (token == "NAME" && !is_identifier(word)) return "a name such as u_x";
+        return call.words.emplace_back(word), std::string{};
+    }
+    if (token == "METHOD" || token == "VARIANT" || token == "NUMBER") {
+        std::string run;
+        for (const std::string& before : call.words) run += before + " ";
+        if (!parse_run(run + std::string(word)))
+            return token == "METHOD" ? "the id of a method" : "a variant of the method, then a number format";
         return call.words.emplace_back(word), std::string{};
     }
     const auto number = typed_number(word);

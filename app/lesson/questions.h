@@ -53,8 +53,8 @@ struct Asked {
 
 struct Question {
     std::string_view name;
-    /// Its arguments: NAME, FIELD and METHOD are words, FROM, TO, V, OUTSIDE, INSIDE and E0 to E2 numbers, others whole
-    /// numbers;
+    /// Its arguments: NAME, FIELD, METHOD, VARIANT and NUMBER are words, FROM, TO, V, OUTSIDE, INSIDE and E0 to E2
+    /// numbers, others whole numbers;
     /// "?" behind one: may be left out.
     std::string_view form;
     Prediction::Kind kind = Prediction::Kind::choice;

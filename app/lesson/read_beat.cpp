@@ -10,6 +10,7 @@
 #include "app/lesson/names.h"
 #include "app/lesson/prose.h"
 #include "app/lesson/questions.h"
+#include "app/state/compared_run.h"
 #include "core/number/format.h"
 #include "core/trace/listing.h"
 
@@ -104,6 +105,10 @@ Result<BeatSettings> read_settings(const std::vector<TomlEntry>& entries, const 
     }
     set.play = fields.truth("play");
     set.hits = fields.truth("hits");
+    set.against = fields.text("against");
+    if (set.against) {
+        if (const auto run = parse_run(*set.against); !run) fields.fail("against", run.error().what);
+    }
     if (const auto views = fields.texts("views")) set.views = *views, demand_views(fields, "views", set.views, words);
     fields.demand_known();
     if (fields.fault()) return *fields.fault();

@@ -154,7 +154,7 @@ Result<State> open_state(const std::string& target, const State& before) {
     }
     State state = opened(*document, before);
     Derived derived;
-    return reduce(state, action::Restore{link->work, link->cursor}, derived);
+    return reduce(state, action::Restore{link->work, link->cursor, link->other, link->difference}, derived);
 }
 
 }  // namespace texelscope

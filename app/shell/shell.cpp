@@ -156,7 +156,7 @@ void Shell::paste(const std::string& text) {
         store_.dispatch(action::Open{pasted->document});
         remember_times();
     }
-    store_.dispatch(action::Restore{pasted->work, pasted->cursor});
+    store_.dispatch(action::Restore{pasted->work, pasted->cursor, pasted->look.other, pasted->look.difference});
 }
 
 void Shell::save(const std::string& suffix, const std::string& bytes) {

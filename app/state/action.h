@@ -64,6 +64,16 @@ struct MoveShape {
     std::vector<glm::vec2> to;  ///< one for each vertex
     int gesture = 0;
 };
+/// The depth of a corner.
+struct SetDepth {
+    Handle handle;
+    float w = 1;  ///< > 0, see core/geometry/vertex.h
+    int gesture = 0;
+};
+/// The ring of a polygon's corners begins one later: what cuts it into triangles takes the other diagonal of a quad.
+struct TurnRing {
+    int polygon = 0;
+};
 struct ChooseHandle {
     Handle handle;
 };
@@ -165,7 +175,9 @@ struct Reset {};  ///< the document as it was opened; undoable
 struct Restore {
     Work work;
     Cursor cursor;
-};  ///< a pasted state of the document that is open
+    ComparedRun other;
+    bool difference = false;  ///< as of Look
+};                            ///< a pasted state of the document that is open
 
 }  // namespace action
 
@@ -173,11 +185,12 @@ using Action =
     std::variant<action::Open, action::Reload, action::Say, action::Step, action::StepTo, action::StepEnd,
                  action::Advance, action::SetLevel, action::Finer, action::StepIn, action::FinishUnit, action::Play,
                  action::Speed, action::ToggleBookmark, action::GoToBookmark, action::MoveVertex, action::MoveShape,
-                 action::ChooseHandle, action::Turn, action::ChooseTurning, action::SetRatio, action::SetFocal,
-                 action::SetFrame, action::SetRandom, action::StartRace, action::FinishLap, action::PlayFrames,
-                 action::FrameRate, action::SetFormat, action::SetMode, action::SetVariant, action::SetQuirk,
-                 action::SetQuirks, action::SetMethod, action::SetTexture, action::Choose, action::Type, action::Point,
-                 action::Check, action::Skip, action::Hover, action::Pin, action::SetLook, action::Show,
-                 action::ChooseLesson, action::Escape, action::Undo, action::Redo, action::Reset, action::Restore>;
+                 action::SetDepth, action::TurnRing, action::ChooseHandle, action::Turn, action::ChooseTurning,
+                 action::SetRatio, action::SetFocal, action::SetFrame, action::SetRandom, action::StartRace,
+                 action::FinishLap, action::PlayFrames, action::FrameRate, action::SetFormat, action::SetMode,
+                 action::SetVariant, action::SetQuirk, action::SetQuirks, action::SetMethod, action::SetTexture,
+                 action::Choose, action::Type, action::Point, action::Check, action::Skip, action::Hover, action::Pin,
+                 action::SetLook, action::Show, action::ChooseLesson, action::Escape, action::Undo, action::Redo,
+                 action::Reset, action::Restore>;
 
 }  // namespace texelscope

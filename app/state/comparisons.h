@@ -1,4 +1,4 @@
-// What Derived tells of a method beside another: its error against perspective, its operations, its picture.
+// A method beside another: its error against perspective, its operations, its picture.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 #include <glm/vec2.hpp>
 
 #include "core/measure/bill.h"
-#include "core/method/method.h"
+#include "core/method/drawing.h"
 
 namespace texelscope {
 
@@ -31,30 +31,37 @@ struct ErrorMap {
     double v_most = 0;                ///< greatest |v| of all cells [texels]
 };
 
-/// Why two methods read different texels for a pixel. The first that fits is the cause.
+/// Why two runs read different texels for a pixel. Whether it is rounding is asked of the same two runs in numbers
+/// that do not round: exact ones, or double in a window of more than kMaxExact pixels.
 enum class Cause : std::uint8_t {
     nothing,   ///< neither draws it
     same,      ///< both read the same texel
-    coverage,  ///< only one of them draws it
-    rounding,  ///< (u, v) are less than kRounding apart, on two sides of a texel's border
-    offset,    ///< (u, v) are as far apart as in all pixels of the polygon
-    warp,      ///< the distance changes from pixel to pixel: another plane, or perspective against affine
+    coverage,  ///< only one of them draws it, without rounding too
+    rounding,  ///< without rounding both draw it or neither, with (u, v) less than kRounding apart; of a method driven
+               ///< by its texture, which rounds the place of a texel to a pixel, no farther than half a pixel
+    offset,    ///< without rounding (u, v) are as far apart as in all pixels of the polygon
+    warp,      ///< that distance changes from pixel to pixel: another plane, or perspective against affine
 };
 inline constexpr std::size_t kCauses = 6;
-inline constexpr double kRounding = 1e-6;  ///< [texels]
+inline constexpr double kRounding = 1e-6;      ///< [texels]
+inline constexpr Integer kMaxExact = 1 << 12;  ///< [px]
 
 struct DifferenceCell {
     Cause cause = Cause::nothing;
     Rgb own{}, others{};  ///< the two pictures
-    double u = 0, v = 0;  ///< (u, v) of the state's method minus the other's [texels]; where both draw it
+    double u = 0, v = 0;  ///< (u, v) of the state's run minus the other's [texels]; where both draw it
 };
-/// The pictures of two methods over one scene, each pixel as its last write left it.
+/// The pictures of two runs over one scene, each pixel as its last write left it.
 struct Difference {
     Window window;
-    const Method* other = nullptr;
+    DrawSettings other;
     Grid<DifferenceCell> cells;
     std::array<int, kCauses> count{};  ///< cells of each cause
+
+    [[nodiscard]] int of(Cause cause) const { return count[static_cast<std::size_t>(cause)]; }
 };
+/// @param window  its part inside the frame is compared.
+[[nodiscard]] Difference compare(const Drawing& own, const DrawSettings& other, const Window& window);
 
 /// What a method does to draw the cursor's polygon, counted on the tape of one pixel: every pixel and every line of
 /// samples does the same. Of pixels it is known what they add, so the sums are what the whole run does.

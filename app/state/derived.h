@@ -160,8 +160,8 @@ public:
     /// How often the whole drawing writes each cell of the window, up to 255.
     [[nodiscard]] const Grid<std::uint8_t>& hits(const Window& window) const;
     [[nodiscard]] const ErrorMap& errors(const Window& window) const;
-    /// Against another method, corrected, with the same numbers.
-    [[nodiscard]] const Difference& difference(const Window& window, const Method& other) const;
+    /// Against the run that the look asks for.
+    [[nodiscard]] const Difference& difference(const Window& window) const;
     /// The methods that take the texture's plane as one matrix, and the state's own, over the cursor's polygon.
     [[nodiscard]] const std::vector<MethodCost>& costs() const;
     /// What each method of a race computes for the scene, in the order of racers(); empty without shapes.
@@ -212,6 +212,8 @@ private:
 /// The scene with a state's edits and texture.
 /// @param faces  takes every face of every mesh; may be null.
 [[nodiscard]] Scene edited_scene(const Document& document, const Work& work, std::vector<PlacedFace>* faces = nullptr);
+/// The corner of a handle; null where there is none.
+[[nodiscard]] const Vertex* vertex_of(const Scene& scene, const Handle& handle);
 /// Where a handle stands in the edited scene.
 [[nodiscard]] glm::vec2 position_of(const Scene& scene, const Handle& handle);
 

@@ -37,12 +37,17 @@ Scene edited_scene(const Document& document, const Work& work, std::vector<Place
     return scene;
 }
 
-glm::vec2 position_of(const Scene& scene, const Handle& handle) {
-    if (handle.polygon < 0 || handle.polygon >= static_cast<int>(scene.polygons.size())) return {0, 0};
+const Vertex* vertex_of(const Scene& scene, const Handle& handle) {
+    if (handle.polygon < 0 || handle.polygon >= static_cast<int>(scene.polygons.size())) return nullptr;
     const auto& vertices = scene.polygons[static_cast<std::size_t>(handle.polygon)].vertices;
-    if (handle.vertex < 0 || handle.vertex >= static_cast<int>(vertices.size())) return {0, 0};
-    const Vertex& vertex = vertices[static_cast<std::size_t>(handle.vertex)];
-    return handle.texture ? glm::vec2(vertex.u, vertex.v) : glm::vec2(vertex.x, vertex.y);
+    if (handle.vertex < 0 || handle.vertex >= static_cast<int>(vertices.size())) return nullptr;
+    return &vertices[static_cast<std::size_t>(handle.vertex)];
+}
+
+glm::vec2 position_of(const Scene& scene, const Handle& handle) {
+    const Vertex* vertex = vertex_of(scene, handle);
+    if (vertex == nullptr) return {0, 0};
+    return handle.texture ? glm::vec2(vertex->u, vertex->v) : glm::vec2(vertex->x, vertex->y);
 }
 
 }  // namespace texelscope

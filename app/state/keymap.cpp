@@ -33,7 +33,8 @@ constexpr std::array kBindings{
     Binding{{Key::left, true}, Command::previous_bookmark}, Binding{{Key::right, true}, Command::next_bookmark},
     Binding{{Key::v}, Command::move_vertex}, Binding{{Key::i}, Command::inspect_pixel},
     Binding{{Key::o}, Command::turn_solid}, Binding{{Key::f}, Command::move_texture},
-    Binding{{Key::h}, Command::hits}, Binding{{Key::k}, Command::palette}, Binding{{Key::x}, Command::variant}, Binding{{Key::c}, Command::plain_code},
+    Binding{{Key::h}, Command::hits}, Binding{{Key::d}, Command::difference}, Binding{{Key::k}, Command::palette},
+    Binding{{Key::x}, Command::variant}, Binding{{Key::c}, Command::plain_code},
     Binding{{Key::p}, Command::predict},
     Binding{{Key::z, true}, Command::undo}, Binding{{Key::y, true}, Command::redo}, Binding{{Key::z, true, true}, Command::redo},
     Binding{{Key::r}, Command::reset},
@@ -62,6 +63,7 @@ constexpr std::array kHelp{
     KeyHelp{"Steps", "Ctrl+← →", "the bookmark before, the next one"},
     KeyHelp{"Look and change", "V + arrows", "move a corner; Shift 1/16 px, Ctrl 8 px"},
     KeyHelp{"Look and change", "V + 1 to 9", "choose the corner"},
+    KeyHelp{"Look and change", "V + − = D", "its depth, farther or nearer; the other diagonal"},
     KeyHelp{"Look and change", "O + arrows A Z", "turn a solid by 5°; Shift 1°, Ctrl 15°"},
     KeyHelp{"Look and change", "O + 1 to 9", "choose the solid"},
     KeyHelp{"Look and change", "O + − =", "the camera's focal length, a jelly cube's size"},
@@ -69,6 +71,7 @@ constexpr std::array kHelp{
     KeyHelp{"Look and change", "I + arrows", "inspect a pixel; Ctrl 8 px"},
     KeyHelp{"Look and change", "H", "how often each pixel was written"},
     KeyHelp{"Look and change", "K", "the palette of the texture"},
+    KeyHelp{"Look and change", "D", "where another method differs, and why"},
     KeyHelp{"Look and change", "X", "as printed or corrected"},
     KeyHelp{"Look and change", "C", "plain code, or with its trace"},
     KeyHelp{"Look and change", "P", "check the prediction"},
@@ -145,6 +148,12 @@ private:
             choose_corner(static_cast<int>(press.key) - static_cast<int>(Key::n1));
             return true;
         }
+        if (held(Key::v) && press.key == Key::d) {
+            if (!press.repeat) act(action::TurnRing{corner().polygon});
+            return true;
+        }
+        const int depth = (press.key == Key::equal) - (press.key == Key::minus);
+        if (held(Key::v) && depth != 0) return deepen(depth, press), true;
         if (way == glm::ivec2(0)) return false;
         if (held(Key::v)) return move_corner(way, press), true;
         if (held(Key::i)) return move_pin(way * (press.ctrl ? 8 : 1)), true;
@@ -171,6 +180,15 @@ private:
         const float length = press.shift ? 1.0F / 16 : press.ctrl ? 8.0F : 1.0F;
         const glm::vec2 to = position_of(derived_.scene(), handle) + length * glm::vec2(way);
         act(action::MoveVertex{handle, to, press.repeat ? kRepeatGesture : 0});
+    }
+    /// Eight presses double the depth of the corner, or halve it: with Shift 64, with Ctrl one.
+    void deepen(int way, const ui::KeyPress& press) {
+        const Handle handle = corner();
+        const Vertex* vertex = vertex_of(derived_.scene(), handle);
+        if (vertex == nullptr || !(vertex->w > 0)) return;
+        const float steps = press.shift ? 64.0F : press.ctrl ? 1.0F : 8.0F;  // to an octave
+        const float octaves = std::round(std::log2(vertex->w) * steps + static_cast<float>(way)) / steps;
+        act(action::SetDepth{handle, std::exp2(octaves), press.repeat ? kRepeatGesture : 0});
     }
     /// The solids that there are to turn, in order: of jelly cubes each.
     [[nodiscard]] std::vector<Turning> turnings() const {
@@ -338,6 +356,7 @@ private:
         switch (command) {
             case Command::hits: return set_look([](Look& l) { l.hits = !l.hits; });
             case Command::palette: return set_look([](Look& l) { l.palette = !l.palette, l.tab = 0; });
+            case Command::difference: return set_look([](Look& l) { l.difference = !l.difference, l.tab = 0; });
             case Command::plain_code: return set_look([](Look& l) { l.plain_code = !l.plain_code; });
             case Command::present: return set_look([](Look& l) { l.presenting = !l.presenting, l.blank = false; });
             case Command::blank: return set_look([](Look& l) { l.blank = !l.blank; });

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 
+#include "app/state/compared_run.h"
 #include "core/trace/listing.h"
 
 namespace texelscope {
@@ -56,6 +57,9 @@ void apply(State& state, const BeatSettings& set, std::optional<Path>& step) {
     state.moving = false;
     if (set.hits) state.look.hits = *set.hits;
     if (set.random) state.work.random = set.random;
+    if (set.against) {
+        if (const auto run = parse_run(*set.against)) state.look.other = *run;
+    }
 }
 
 }  // namespace
@@ -95,7 +99,8 @@ void go_to_beat(State& state, int beat, Derived& derived) {
     const Lesson& lesson = *state.document->lesson;
     state.cursor.beat = std::clamp(beat, 0, std::max(0, beat_count(state) - 1));
     state.work.method = lesson.method;
-    state.look.hits = false;
+    state.look.hits = state.look.difference = false;
+    state.look.other = {};
     state.work.random.reset();
     BeatSettings start;
     start.variant = lesson.variant;

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "app/state/compared_run.h"
 #include "app/state/lesson_cursor.h"
 
 namespace texelscope {
@@ -179,6 +180,13 @@ template <class T>
     if (key == "g") return read_random(value, work.random.emplace());
     if (key == "f") return read(value, work.frame) && work.frame >= 0;
     if (key == "a") return read_answer(value, work.answers.emplace_back());
+    if (key == "d") {
+        const auto words = unescaped(value);
+        const auto run = parse_run(words.value_or(""));
+        if (run) link.other = *run;
+        return static_cast<bool>(run);
+    }
+    if (key == "D") return link.difference = true, value == "1";
     if (key == "t") {
         const auto file = unescaped(value);
         if (file) work.texture_file = *file;
@@ -214,6 +222,8 @@ std::string print_link(const State& state) {
     if (w.frame != 0) text += fmt::format(";f={}", w.frame);
     if (w.random) text += fmt::format(";g={},{},{}", w.random->count, w.random->size, w.random->seed);
     for (const Answer& a : w.answers) text += ";" + print_answer(a);
+    if (const std::string run = text_of(state.look.other); !run.empty()) text += ";d=" + escaped(run);
+    if (state.look.difference) text += ";D=1";
     if (!w.texture_file.empty()) text += ";t=" + escaped(w.texture_file);
     return with_checksum(text);
 }

@@ -14,6 +14,8 @@ struct Link {
     std::string document;
     Work work;  ///< the texture's file, not its texels
     Cursor cursor;
+    ComparedRun other;
+    bool difference = false;  ///< as of Look
 };
 
 /// The lesson, the step, and what the person changed. At most 400 characters for a built-in lesson.

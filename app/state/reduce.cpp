@@ -19,10 +19,11 @@ constexpr std::string_view kLastBeat = "The lesson ends here. L opens the list o
 constexpr std::string_view kConvex = "This method takes convex polygons: the corner stays where it would still be one.";
 constexpr std::string_view kSolid =
     "A solid's corners move with it: hold O and press arrows, or drag with the right button.";
-constexpr float kLeastRatio = 0.05F, kMostRatio = 4;    ///< of jelly cubes
-constexpr float kLeastFocal = 1, kMostFocal = 1 << 16;  ///< [px]
-constexpr std::int64_t kLongestPeriod = 1 << 20;        ///< of all textures that move together [frames]
-constexpr double kMostDegrees = 360;                    ///< of one turn
+constexpr float kLeastRatio = 0.05F, kMostRatio = 4;       ///< of jelly cubes
+constexpr float kLeastFocal = 1, kMostFocal = 1 << 16;     ///< [px]
+constexpr std::int64_t kLongestPeriod = 1 << 20;           ///< of all textures that move together [frames]
+constexpr double kMostDegrees = 360;                       ///< of one turn
+constexpr float kLeastDepth = 1.0F / 64, kMostDepth = 64;  ///< of a corner
 constexpr std::string_view kNoRandom = "This scene has no random triangles.";
 constexpr std::string_view kExactRace = "Exact numbers are no racers: they say what is right. Choose another format.";
 constexpr float kFarthest = 1e6F;  ///< a corner is kept within this of the origin [px]
@@ -112,16 +113,11 @@ public:
     }
 
     void operator()(const action::MoveVertex& a) {
-        const auto& polygons = derived_.scene().polygons;
         const auto [polygon, vertex, texture] = a.handle;
-        if (polygon < 0 || polygon >= static_cast<int>(polygons.size())) return;
-        const auto& vertices = polygons[static_cast<std::size_t>(polygon)].vertices;
-        if (vertex < 0 || vertex >= static_cast<int>(vertices.size())) return;
+        const std::vector<Vertex>* ring = ring_of(polygon);
+        if (ring == nullptr || vertex < 0 || vertex >= static_cast<int>(ring->size())) return;
         if (!std::isfinite(a.to.x) || !std::isfinite(a.to.y)) return;
-        if (polygons[static_cast<std::size_t>(polygon)].mesh >= 0) {
-            s_.message = {std::string(kSolid)};
-            return;
-        }
+        const std::vector<Vertex>& vertices = *ring;
         Vertex value = vertices[static_cast<std::size_t>(vertex)];
         const float x = std::clamp(a.to.x, -kFarthest, kFarthest), y = std::clamp(a.to.y, -kFarthest, kFarthest);
         if (texture)
@@ -147,6 +143,26 @@ public:
             vertices[n].y = std::clamp(a.to[n].y, -kFarthest, kFarthest);
         }
         for (std::size_t n = 0; n < vertices.size(); ++n) put({a.polygon, static_cast<int>(n), vertices[n]});
+        settle();
+    }
+    void operator()(const action::SetDepth& a) {
+        const auto [polygon, vertex, texture] = a.handle;
+        const std::vector<Vertex>* ring = ring_of(polygon);
+        if (ring == nullptr || vertex < 0 || vertex >= static_cast<int>(ring->size()) || !std::isfinite(a.w)) return;
+        Vertex value = (*ring)[static_cast<std::size_t>(vertex)];
+        value.w = std::clamp(a.w, kLeastDepth, kMostDepth);
+        put({polygon, vertex, value});
+        s_.handle = a.handle;
+        settle();
+    }
+    void operator()(const action::TurnRing& a) {
+        const std::vector<Vertex>* ring = ring_of(a.polygon);
+        if (ring == nullptr) return;
+        std::vector<Vertex> turned = *ring;
+        std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+        const auto count = static_cast<int>(turned.size());
+        for (int n = 0; n < count; ++n) put({a.polygon, n, turned[static_cast<std::size_t>(n)]});
+        if (s_.handle.polygon == a.polygon) s_.handle.vertex = (s_.handle.vertex + count - 1) % count;
         settle();
     }
     void operator()(const action::ChooseHandle& a) { s_.handle = a.handle; }
@@ -315,11 +331,21 @@ public:
     }
     void operator()(const action::Restore& a) {
         s_.work = a.work, s_.cursor = a.cursor;
+        s_.look.other = a.other, s_.look.difference = a.difference;
         s_.cursor.beat = std::clamp(s_.cursor.beat, 0, std::max(0, beat_count(s_) - 1));
         settle();
     }
 
 private:
+    /// The corners of a polygon that may be changed one by one; null where there is none, which is said of a solid's.
+    [[nodiscard]] const std::vector<Vertex>* ring_of(int polygon) {
+        const auto& polygons = derived_.scene().polygons;
+        if (polygon < 0 || polygon >= static_cast<int>(polygons.size())) return nullptr;
+        const Polygon& found = polygons[static_cast<std::size_t>(polygon)];
+        if (found.mesh < 0) return &found.vertices;
+        s_.message = {std::string(kSolid)};
+        return nullptr;
+    }
     /// The corner stands there from now on.
     void put(const VertexEdit& edit) {
         auto& edits = s_.work.edits;

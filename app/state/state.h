@@ -97,6 +97,14 @@ struct Selection {
     friend bool operator==(const Selection&, const Selection&) = default;
 };
 
+/// The run that the view `difference` compares with. app/state/compared_run.h reads, prints and completes it.
+struct ComparedRun {
+    std::string method;                  ///< id; empty: barycentric, beside which it is edge-equations
+    std::string variant;                 ///< id; empty: the corrected one
+    std::optional<NumberFormat> format;  ///< nothing: the work's own
+    friend bool operator==(const ComparedRun&, const ComparedRun&) = default;
+};
+
 enum class Theme : std::uint8_t { dark, light };
 
 /// How it is shown; stays when lessons change.
@@ -109,12 +117,13 @@ struct Look {
     bool plain_code = true;     ///< trace(…) folded away in the listing
     std::vector<int> unfolded;  ///< folds of the listing that were opened, by their first lines
     bool reduced_motion = false, letter_keys = true;
-    int tab = 0;           ///< of the presenter's panel, or of the column above 150 %
-    float zoom = 0;        ///< canvas pixels per scene pixel; 0: fit
-    glm::vec2 centre{0};   ///< scene point at the canvas' centre, where zoom is not 0
-    float speed = 8;       ///< steps a second while playing
-    std::string other;     ///< id of the method that the view `difference` compares with; empty: the first other one
-    float frame_rate = 8;  ///< frames a second of textures that move
+    int tab = 0;              ///< of the presenter's panel, or of the column above 150 %
+    float zoom = 0;           ///< canvas pixels per scene pixel; 0: fit
+    glm::vec2 centre{0};      ///< scene point at the canvas' centre, where zoom is not 0
+    float speed = 8;          ///< steps a second while playing
+    ComparedRun other;        ///< what the view `difference` compares with
+    bool difference = false;  ///< that view stands in the side's last place, whatever the lesson shows
+    float frame_rate = 8;     ///< frames a second of textures that move
     friend bool operator==(const Look&, const Look&) = default;
 };
 

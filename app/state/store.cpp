@@ -10,6 +10,7 @@ constexpr std::size_t kMostEntries = 1000;
 /// Whether undo takes this action back.
 [[nodiscard]] bool is_edit(const Action& a) {
     return std::holds_alternative<action::MoveVertex>(a) || std::holds_alternative<action::MoveShape>(a) ||
+           std::holds_alternative<action::SetDepth>(a) || std::holds_alternative<action::TurnRing>(a) ||
            std::holds_alternative<action::SetQuirks>(a) || std::holds_alternative<action::Turn>(a) ||
            std::holds_alternative<action::SetRatio>(a) || std::holds_alternative<action::SetFocal>(a) ||
            std::holds_alternative<action::SetFrame>(a) || std::holds_alternative<action::SetRandom>(a) ||
@@ -63,7 +64,8 @@ void Store::undo(std::vector<Entry>& from, std::vector<Entry>& to) {
 State opened(std::shared_ptr<const Document> document, const State& before) {
     State state;
     state.look = before.look;
-    state.look.hits = state.look.palette = false;
+    state.look.hits = state.look.palette = state.look.difference = false;
+    state.look.other = {};
     state.look.zoom = 0;
     state.done = before.done;
     state.chosen_lesson = before.chosen_lesson;

@@ -20,7 +20,7 @@ using ui::Role;
 constexpr std::string_view kCornerLabel = "corner {} of polygon {}";
 constexpr std::string_view kCornerTip =
     "$P_{}$ at {}, {}. Drag it, or hold V and press arrows. Shift snaps to pixel centres.";
-constexpr std::string_view kCoordinates = "{}, {}";
+constexpr std::string_view kCoordinates = "{}, {}", kDepth = ", w {}";
 constexpr std::string_view kNotice = "{}: nothing is drawn", kNoticeOf = "shape {}, {}: nothing is drawn";
 
 constexpr std::size_t kMostOutlined = 400;  ///< polygons; more would hide the pixels
@@ -142,6 +142,7 @@ struct CornerLabel {
     if (!with_coordinates) return label;
     label.coordinates =
         fmt::format(kCoordinates, ui::format_number(double{vertex.x}).text, ui::format_number(double{vertex.y}).text);
+    if (vertex.w != 1) label.coordinates += fmt::format(kDepth, ui::format_number(double{vertex.w}, 3).text);
     label.size.x += std::ceil(ui::text_width(ui.font(ui::Face::line_number), label.coordinates)) + ui.px(8);
     return label;
 }

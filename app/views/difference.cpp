@@ -1,14 +1,17 @@
-// Two methods over one scene: their pictures beside each other, and each pixel that differs with the reason why.
+// Two runs over one scene: their pictures beside each other, and each pixel that differs with the reason why.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "app/state/compared_run.h"
 #include "app/ui/text.h"
 #include "app/ui/widgets.h"
 #include "app/views/canvas_map.h"
 #include "app/views/canvas_values.h"
+#include "app/views/difference_choice.h"
+#include "app/views/screen_parts.h"
 #include "app/views/terms.h"
 
 namespace texelscope::canvas {
@@ -16,10 +19,9 @@ namespace {
 
 using ui::Role;
 
-constexpr std::string_view kTitle = "Difference", kAgainst = "against {}";
+constexpr std::string_view kTitle = "Difference";
 constexpr std::string_view kNothing = "There is no shape, so no two pictures to compare.";
-constexpr std::string_view kPrevious = "previous method", kNext = "next method",
-                           kTip = "Compares with another method, run as its source meant it.";
+constexpr std::string_view kRun = "{}, {}", kSwitched = "switched";
 constexpr std::string_view kMap = "what differs";
 constexpr std::string_view kEqual = "both read the same texel everywhere";
 constexpr std::string_view kPixelTip = "pixel **{}, {}**: {}", kApart = ", {} apart in $u$, {} in $v$";
@@ -32,9 +34,9 @@ struct CauseInfo {
 };
 constexpr std::array<CauseInfo, 4> kShown{{
     {Cause::coverage, Role::error, "coverage", "only one of them draws it"},
-    {Cause::rounding, Role::section_1, "rounding", "the same place, rounded to two sides of a texel's border"},
+    {Cause::rounding, Role::section_1, "rounding", "the same place in exact numbers, rounded to two sides"},
     {Cause::offset, Role::section_2, "offset", "as far apart as everywhere on this face"},
-    {Cause::warp, Role::section_3, "warp", "farther apart here than elsewhere on this face"},
+    {Cause::warp, Role::section_3, "warp", "how far apart changes from place to place on this face"},
 }};
 
 [[nodiscard]] const CauseInfo* info_of(Cause cause) {
@@ -42,12 +44,12 @@ constexpr std::array<CauseInfo, 4> kShown{{
     return at == kShown.end() ? nullptr : &*at;
 }
 
-/// The methods that the state's own can be compared with.
-[[nodiscard]] std::vector<const Method*> others(const Derived& derived) {
-    std::vector<const Method*> found;
-    for (const Method* method : methods())
-        if (method != &derived.method()) found.push_back(method);
-    return found;
+/// What sets one run of a method apart from another: "as printed, f32".
+[[nodiscard]] std::string run_of(const DrawSettings& settings) {
+    const auto& variants = settings.method->variants;
+    const auto at = std::find_if(variants.rbegin(), variants.rend(),
+                                 [&](const VariantInfo& v) { return v.quirks == settings.quirks; });
+    return fmt::format(kRun, at == variants.rend() ? std::string(kSwitched) : spaced(at->id), id_of(settings.format));
 }
 
 [[nodiscard]] Rgba rgba(ui::Color c) {
@@ -72,11 +74,12 @@ void draw_mark(ImDrawList& list, Cause cause, const ui::Area& at, ui::Color colo
 
 class DifferenceView {
 public:
-    DifferenceView(const ViewContext& ctx, const ui::Area& area) : ctx_(ctx), ui_(ctx.ui), area_(area) {}
+    DifferenceView(const ViewContext& ctx, const ui::Area& area)
+        : ctx_(ctx), ui_(ctx.ui), area_(area), choice_(ctx, area.w) {}
 
     /// Where there is no room for the pictures above their legend, all can be scrolled.
     void draw_scrolled() {
-        const float content = std::max(area_.h, bar_height() + legend_height() + 3 * line() + ui_.px(72));
+        const float content = std::max(area_.h, choice_.height() + legend_height() + 3 * line() + ui_.px(72));
         foresee(ui_, "difference/scroll", content);
         const ui::Area inner = ui_.begin_scroll("difference/scroll", area_);
         area_ = {inner.x, inner.y, inner.w, content};
@@ -86,18 +89,14 @@ public:
 
 private:
     void draw() {
-        const std::vector<const Method*> all = others(ctx_.derived);
-        auto at = std::find_if(all.begin(), all.end(), [&](const Method* m) { return m->id == ctx_.state.look.other; });
-        if (at == all.end()) at = all.begin();
-        const float bar = bar_height();
-        draw_choice({area_.x, area_.y, area_.w, bar}, all, at - all.begin());
+        const float bar = choice_.height();
+        choice_.draw({area_.x, area_.y, area_.w, bar});
         const float legend = legend_height();
         const ui::Area pictures{area_.x, area_.y + bar, area_.w, std::max(1.0F, area_.h - bar - legend)};
-        draw_pictures(pictures, **at);
+        draw_pictures(pictures);
         draw_legend({area_.x, pictures.bottom(), area_.w, legend});
     }
 
-    [[nodiscard]] float bar_height() const { return std::max(ui_.px(28), pitch(ui_, 24, ui::Face::title)); }
     [[nodiscard]] float line() const { return pitch(ui_, 18, ui::Face::title); }
     [[nodiscard]] float legend_width() const {
         float widest = 0;
@@ -113,46 +112,45 @@ private:
         return static_cast<float>(rows) * line() + ui_.px(4);
     }
 
-    void draw_choice(const ui::Area& bar, const std::vector<const Method*>& all, std::ptrdiff_t now) {
-        const float side = std::min(ui_.px(24), bar.h);
-        const auto button = [&](float x, ui::Icon icon, std::string_view name, std::string_view label) {
-            const std::string full = fmt::format("difference/{}", name);
-            const ui::Area place{x, bar.y + std::floor((bar.h - side) / 2), side, side};
-            return ui::icon_button(ui_, full, place, icon, label, kTip, {.quiet = true}).clicked;
-        };
-        const auto count = static_cast<std::ptrdiff_t>(all.size());
-        std::ptrdiff_t chosen = now;
-        if (button(bar.x, ui::Icon::previous, "previous", kPrevious)) chosen = (now + count - 1) % count;
-        if (button(bar.x + side + ui_.px(4), ui::Icon::next, "next", kNext)) chosen = (now + 1) % count;
-        if (chosen != now) {
-            Look look = ctx_.state.look;
-            look.other = all[static_cast<std::size_t>(chosen)]->id;
-            ctx_.act(action::SetLook{look});
-        }
-        const float x = bar.x + 2 * side + ui_.px(12);
-        ui_.text_within(ui::Face::title, {x, ui::baseline_at_middle(ui_.font(ui::Face::title), bar.centre().y)},
-                        bar.right() - x, Role::text, fmt::format(kAgainst, all[static_cast<std::size_t>(now)]->title));
+    /// Where the three pictures may stand, each below its caption: in a row, in a column, or the map large and the
+    /// other two at its left, or above it.
+    [[nodiscard]] std::array<std::array<ui::Area, 3>, 4> arrangements(const ui::Area& a) const {
+        const float gap = ui_.px(8), w = (a.w - 2 * gap) / 3, h = (a.h - 2 * gap) / 3;
+        const float half_w = (a.w - gap) / 2, half_h = (a.h - gap) / 2;
+        const float x1 = a.x + w + gap, x2 = x1 + w + gap, y1 = a.y + h + gap, y2 = y1 + h + gap;
+        const ui::Area right{x1, a.y, a.right() - x1, a.h}, below{a.x, y1, a.w, a.bottom() - y1};
+        return {{{{{a.x, a.y, w, a.h}, {x1, a.y, w, a.h}, {x2, a.y, w, a.h}}},
+                 {{{a.x, a.y, a.w, h}, {a.x, y1, a.w, h}, {a.x, y2, a.w, h}}},
+                 {{{a.x, a.y, w, half_h}, {a.x, a.y + half_h + gap, w, half_h}, right}},
+                 {{{a.x, a.y, half_w, h}, {a.x + half_w + gap, a.y, half_w, h}, below}}}};
     }
+    [[nodiscard]] ui::Area without_caption(const ui::Area& a) const { return {a.x, a.y + line(), a.w, a.h - line()}; }
 
-    /// Three pictures, as large as they can be: beside each other, or below.
-    void draw_pictures(const ui::Area& area, const Method& other) {
+    /// As they stand largest.
+    void draw_pictures(const ui::Area& area) {
         const Framebuffer& frame = ctx_.derived.scene().framebuffer;
-        const float gap = ui_.px(8), caption = line();
-        const ui::Area beside{0, 0, (area.w - 2 * gap) / 3, area.h - caption},
-            below{0, 0, area.w, (area.h - 2 * gap) / 3 - caption};
-        const bool row = fit_zoom(beside, frame) >= fit_zoom(below, frame);
-        const ui::Area size = row ? beside : below;
-        if (size.w < 8 || size.h < 8) return;
-        const std::array<std::string_view, 3> titles{ctx_.derived.method().title, other.title, kMap};
+        std::array<ui::Area, 3> best{};
+        double largest = 0;
+        for (const auto& places : arrangements(area)) {
+            double sum = 0;
+            for (const ui::Area& place : places) sum += fit_zoom(without_caption(place), frame);
+            if (sum > largest) largest = sum, best = places;
+        }
+        // All three show the samples of the largest, whatever their own size.
+        const CanvasMap large = make_map(without_caption(best[2]), frame, Look{});
+        difference_ = &ctx_.derived.difference(window_in_view(large, frame));
+        const DrawSettings &own = ctx_.derived.drawing().settings(), other = settings_of(ctx_.state.look.other, own);
+        const bool same = own.method == other.method;
+        const std::array<std::string, 3> titles{same ? run_of(own) : std::string(own.method->title),
+                                                same ? run_of(other) : std::string(other.method->title),
+                                                std::string(kMap)};
         for (int n = 0; n < 3; ++n) {
-            const float step = static_cast<float>(n);
-            const glm::vec2 at = row ? glm::vec2(area.x + step * (size.w + gap), area.y)
-                                     : glm::vec2(area.x, area.y + step * (size.h + caption + gap));
+            const ui::Area &place = best[static_cast<std::size_t>(n)], picture = without_caption(place);
+            if (picture.w < 8 || picture.h < 8) return;
             const ui::Font& font = ui_.font(ui::Face::title);
-            ui_.text_within(ui::Face::title, {at.x, ui::baseline_at_middle(font, at.y + caption / 2)}, size.w,
+            ui_.text_within(ui::Face::title, {place.x, ui::baseline_at_middle(font, place.y + line() / 2)}, place.w,
                             Role::muted, titles[static_cast<std::size_t>(n)]);
-            const CanvasMap map = make_map({at.x, at.y + caption, size.w, size.h}, frame, Look{});
-            difference_ = &ctx_.derived.difference(window_in_view(map, frame), other);
+            const CanvasMap map = make_map(picture, frame, Look{});
             draw_picture(map, n);
         }
     }
@@ -185,9 +183,13 @@ private:
         ui::frame(ui_.list(), at, ui_.theme().hairline);
         if (picture == 2 && map.zoom * w.stride >= double{kMarksFrom}) draw_marks(map);
         take_pixel(map, key);
-        if (const auto pixel = ctx_.derived.pixel())
-            ui::pixel_ring(ui_.list(), ui::grown_to(map.place_of(*pixel), 4), ui_.theme()[Role::now],
-                           ui_.theme().outline, 1.5F, 1);
+        const auto ring = [&](glm::ivec2 at_pixel, float width) {
+            ui::pixel_ring(ui_.list(), ui::grown_to(map.place_of(at_pixel), 4), ui_.theme()[Role::now],
+                           ui_.theme().outline, width, 1);
+        };
+        if (ctx_.hover.pixels.size() == 1) ring(ctx_.hover.pixels.front(), 1);
+        if (ctx_.pinned.pixels.size() == 1) ring(ctx_.pinned.pixels.front(), 2);
+        if (const auto pixel = ctx_.derived.pixel()) ring(*pixel, 1.5F);
         ui_.end_clip();
     }
     void draw_marks(const CanvasMap& map) {
@@ -219,20 +221,21 @@ private:
                                                 .focusable = false});
         const Selection what{.kind = Selection::Kind::pixel, .at = pixel};
         tell_hover(ctx_, map.area, on && region.hovered, what);
-        if (region.clicked && on) ctx_.act(action::Pin{what});
+        if (region.clicked && on) point_or_pin(ctx_, what);
     }
 
     void draw_legend(const ui::Area& area) {
         if (difference_ == nullptr) return;
         const ui::Font& font = ui_.font(ui::Face::title);
-        const auto count = [&](Cause cause) { return difference_->count[static_cast<std::size_t>(cause)]; };
+        const auto count = [&](Cause cause) { return difference_->of(cause); };
         if (std::all_of(kShown.begin(), kShown.end(), [&](const CauseInfo& i) { return count(i.cause) == 0; })) {
             ui_.text_within(ui::Face::title, {area.x, ui::baseline_at_middle(font, area.y + line() / 2)}, area.w,
                             Role::muted, kEqual);
             return;
         }
         const int columns = legend_columns();
-        const float width = std::floor(area.w / static_cast<float>(columns)), side = ui_.px(14);
+        const float width = std::floor(area.w / static_cast<float>(columns)),
+                    side = std::max(ui_.px(14), std::round(font.em * .7F));
         for (std::size_t n = 0; n < kShown.size(); ++n) {
             const int column = static_cast<int>(n) % columns, row = static_cast<int>(n) / columns;
             const float x = area.x + static_cast<float>(column) * width;
@@ -254,6 +257,7 @@ private:
     const ViewContext& ctx_;
     ui::Ui& ui_;
     ui::Area area_;
+    RunChoice choice_;
     const Difference* difference_ = nullptr;
 };
 

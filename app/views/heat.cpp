@@ -12,6 +12,7 @@
 #include "app/views/canvas_map.h"
 #include "app/views/canvas_values.h"
 #include "app/views/terms.h"
+#include "app/views/tuning.h"
 
 namespace texelscope::canvas {
 namespace {
@@ -46,12 +47,19 @@ constexpr double kNone = 1e-6;  ///< below it an error is that of the reference'
     return {byte(0), byte(8), byte(16), 255};
 }
 
+/// The scale, the worst place, and where corners may be moved the depth of one.
+[[nodiscard]] float legend_height(const ViewContext& ctx) {
+    return 2 * pitch(ctx.ui, 18, ui::Face::title) + ctx.ui.px(6) +
+           (has_depth_tuning(ctx) ? tuning_height(ctx.ui) + ctx.ui.px(4) : 0);
+}
+
 class HeatView {
 public:
     HeatView(const ViewContext& ctx, const ui::Area& area)
         : ctx_(ctx), ui_(ctx.ui), line_(pitch(ctx.ui, 18, ui::Face::title)), area_(area) {
         const Framebuffer& frame = ctx.derived.scene().framebuffer;
-        const float legend = 2 * line_ + ui_.px(6);
+        const float legend = legend_height(ctx);
+        if (has_depth_tuning(ctx)) tuning_ = {area.x, area.bottom() - tuning_height(ui_), area.w, tuning_height(ui_)};
         map_ = make_map({area.x, area.y, area.w, std::max(1.0F, area.h - legend)}, frame, Look{});
         errors_ = &ctx.derived.errors(window_in_view(map_, frame));
         end_ = scale_end(errors_->worst ? errors_->error.length() : 0);
@@ -62,6 +70,7 @@ public:
         draw_outlines();
         take_pixel();
         draw_current();
+        if (!tuning_.empty()) draw_depth_tuning(ctx_, tuning_);
         draw_legend(
             {area_.x, map_.area.bottom() + ui_.px(4), area_.w, area_.bottom() - map_.area.bottom() - ui_.px(4)});
     }
@@ -218,7 +227,7 @@ private:
     const ViewContext& ctx_;
     ui::Ui& ui_;
     float line_;
-    ui::Area area_;
+    ui::Area area_, tuning_;  ///< tuning_: empty where corners are not to be moved
     CanvasMap map_;
     const ErrorMap* errors_ = nullptr;
     double end_ = 1;
@@ -226,7 +235,7 @@ private:
 
 /// Where there is no room for the picture above its legend, the two can be scrolled.
 void draw_scrolled(const ViewContext& context, const ui::Area& area) {
-    const float least = 2 * pitch(context.ui, 18, ui::Face::title) + context.ui.px(76);
+    const float least = legend_height(context) + context.ui.px(70);
     const float content = std::max(area.h, least);
     foresee(context.ui, "heat/scroll", content);
     const ui::Area inner = context.ui.begin_scroll("heat/scroll", area);

@@ -20,7 +20,7 @@ using ui::Role;
 
 constexpr std::array<std::string_view, 3> kUsualViews{"texels", "formula", "code"};
 constexpr std::string_view kCanvas = "canvas", kVariables = "variables", kLesson = "lesson", kLessonTab = "Lesson",
-                           kPalette = "palette", kValuesTab = "Values";
+                           kPalette = "palette", kDifference = "difference", kValuesTab = "Values";
 constexpr std::string_view kNoView = "There is no view \"{}\" in this version.";
 constexpr std::string_view kNothingOpen = "Nothing is open. L lists the lessons, Ctrl+O opens a scene.";
 
@@ -51,6 +51,10 @@ void draw_slots(const ViewContext& c, const ScreenLayout& at) {
     if (names.size() >= 3) std::rotate(names.begin(), names.begin() + 1, names.begin() + 3);
     const auto palette = std::find(names.begin(), names.end(), kPalette);
     if (state.look.palette && palette != names.end()) std::rotate(names.begin(), palette, palette + 1);
+    if (state.look.difference) {  // what was asked for is the tab that is open
+        const auto asked = std::find(names.begin(), names.end(), kDifference);
+        std::rotate(names.begin(), asked, asked + 1);
+    }
     if (at.variables.empty()) names.push_back(kVariables);
     if (at.lesson.empty()) names.push_back(kLesson);
     return names;
@@ -118,6 +122,8 @@ std::vector<std::string_view> side_views(const State& state) {
         if (names.size() == kMaxViews) names.erase(names.begin());
         names.insert(names.begin(), kPalette);
     }
+    const bool shown = std::find(names.begin(), names.end(), kDifference) != names.end();
+    if (state.look.difference && !shown) names.back() = kDifference;
     return names;
 }
 

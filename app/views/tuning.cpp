@@ -15,6 +15,10 @@ namespace {
 constexpr std::string_view kTurn = "turn", kScale = "scale", kDegreesText = "{:.0f}°", kScaleText = "{:.2f}";
 constexpr std::string_view kTurnTip = "Turns the shape round its middle. Ctrl with the arrows: ten times as far.",
                            kScaleTip = "Pixels a texel";
+constexpr std::string_view kDepth = "$w$ of $P_{}$", kDepthText = "{:.3g}", kDiagonal = "other diagonal";
+constexpr std::string_view kDepthTip = "Depth of the corner. A click on another corner chooses that one.",
+                           kDiagonalTip = "Begins the polygon one corner later: a quad is cut the other way.";
+constexpr ui::SliderRange kDepths{.25, 4, .0625};
 constexpr ui::SliderRange kTurns{-180, 180, 1}, kScales{.25, 3, .05};
 
 /// The polygon of the cursor's shape, as edited.
@@ -67,6 +71,35 @@ void draw_pose_tuning(const ViewContext& context, const ui::Area& row, bool scal
     const int gesture = ui.memory().active != 0 ? ui.memory().presses : 0;
     context.act(action::MoveShape{context.derived.drawing().polygon_of(context.derived.shape()), posed(corners, next),
                                   gesture});
+}
+
+bool has_depth_tuning(const ViewContext& context) {
+    if (context.derived.shape() < 0 || !canvas::may_drag(context.state, false)) return false;
+    const int polygon = context.derived.drawing().polygon_of(context.derived.shape());
+    return context.derived.scene().polygons[static_cast<std::size_t>(polygon)].mesh < 0;
+}
+
+void draw_depth_tuning(const ViewContext& context, const ui::Area& row) {
+    if (!has_depth_tuning(context)) return;
+    ui::Ui& ui = context.ui;
+    const int polygon = context.derived.drawing().polygon_of(context.derived.shape());
+    const bool chosen = context.state.handle.polygon == polygon;
+    const Handle handle{polygon, chosen ? context.state.handle.vertex : 0, false};
+    const Vertex* vertex = vertex_of(context.derived.scene(), handle);
+    if (vertex == nullptr) return;
+    const float gap = ui.px(16), most = std::floor((row.w - gap) / 2);
+    const float button = std::min(most, ui::button_width(ui, kDiagonal, ui::Face::note));
+    const ui::Area slider{row.x, row.y, row.w - button - gap, row.h};
+    if (ui::button(ui, "tune/diagonal", {row.right() - button, row.y, button, row.h}, kDiagonal, kDiagonalTip,
+                   {.face = ui::Face::note})
+            .clicked)
+        context.act(action::TurnRing{polygon});
+    const std::string label = fmt::format(kDepth, handle.vertex);
+    const auto to = draw_tuning(ui, slider, {"tune/depth", label, fmt::format(kDepthText, vertex->w), kDepthTip},
+                                vertex->w, kDepths);
+    if (to && static_cast<float>(*to) != vertex->w)
+        context.act(
+            action::SetDepth{handle, static_cast<float>(*to), ui.memory().active != 0 ? ui.memory().presses : 0});
 }
 
 }  // namespace texelscope

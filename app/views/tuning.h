@@ -28,4 +28,9 @@ std::optional<double> draw_tuning(ui::Ui& ui, const ui::Area& row, const Tuning&
 void draw_pose_tuning(const ViewContext& context, const ui::Area& row, bool scale);
 [[nodiscard]] bool has_pose_tuning(const ViewContext& context);
 
+/// A slider for the depth of the chosen corner, or else the first one of the cursor's polygon, and a button that cuts
+/// the polygon along another diagonal. Nothing where the lesson lets no corner be moved, or it is a solid's.
+void draw_depth_tuning(const ViewContext& context, const ui::Area& row);
+[[nodiscard]] bool has_depth_tuning(const ViewContext& context);
+
 }  // namespace texelscope

@@ -157,12 +157,14 @@ struct EdgeWalk {
         const T x_r = trace("x_r", r.x);
         T u = trace("u_l", l.u);
         T v = trace("v_l", l.v);
+        const T u_r = trace("u_r", r.u);
+        const T v_r = trace("v_r", r.v);
         const Int begin = trace("begin", top_of(x_l));
         const Int first = greater(begin, Int(frame.x0)), last = lesser(end(top_of(x_r)), Int(frame.x1));
         if (plain(first >= last)) return;
         const T dx = trace("dx", x_r - x_l);
-        const T du = trace("du", slope(u, r.u, dx));
-        const T dv = trace("dv", slope(v, r.v, dx));
+        const T du = trace("du", slope(u, u_r, dx));
+        const T dv = trace("dv", slope(v, v_r, dx));
         const T ahead = trace("ahead", behind(first, x_l));
         u = u + du * ahead;
         v = v + dv * ahead;

@@ -31,6 +31,7 @@ number = "f32"
 quirks = { inclusive = true }
 pin = "line quirk.inclusive"
 hits = true
+against = "sections as-printed f32"
 ```
 
 ## The second one.
@@ -74,11 +75,12 @@ TEST(ParseLesson, EveryFieldIsRead) {
     ASSERT_EQ(first.set.quirks.size(), 1U);
     EXPECT_EQ(first.set.quirks[0], std::pair(std::string("inclusive"), true));
     EXPECT_EQ(first.set.hits, true);
+    EXPECT_EQ(first.set.against, "sections as-printed f32");
     EXPECT_FALSE(first.prediction);
     ASSERT_TRUE(lesson->beats[1].prediction);
     EXPECT_EQ(lesson->beats[1].prediction->kind, Prediction::Kind::pixel);
     EXPECT_EQ(lesson->beats[1].prediction->explain, "auto");
-    EXPECT_EQ(lesson->beats[1].prediction->lines.block, 25);
+    EXPECT_EQ(lesson->beats[1].prediction->lines.block, 26);
 }
 
 TEST(ParseLesson, PrintedTextIsTheSameLesson) {
@@ -221,19 +223,21 @@ const std::vector<Fault> kFaults{
     {"RandomOfNoSize", "hits = true", "random = \"3 0 1\"", 20, "pixels"},
     {"HitsNoTruth", "hits = true", "hits = \"yes\"", 20, "true or false"},
     {"UnknownSetKey", "hits = true", "hints = true", 20, "'hints'"},
-    {"TwoSets", "## The second one.", "```set\n```\n\n## The second one.", 23, "second set"},
-    {"MissingAsk", "ask = \"Which pixel?\"\n", "", 25, "'ask'"},
-    {"MissingKind", "kind = \"pixel\"\nanswer", "answer", 25, "'kind'"},
-    {"UnknownKind", "kind = \"pixel\"", "kind = \"pixels\"", 27, "texel"},
-    {"OtherKind", "kind = \"pixel\"", "kind = \"number\"", 27, "'pixel'"},
-    {"UnknownQuestion", "pixel-of-byte 137", "meaning-of-life", 28, "doubles"},
-    {"MissingArgument", "pixel-of-byte 137", "pixel-of-byte", 28, "N"},
-    {"BadArgument", "pixel-of-byte 137", "pixel-of-byte x", 28, "number"},
-    {"TooManyArguments", "pixel-of-byte 137", "pixel-of-byte 1 2", 28, "no '2'"},
-    {"QuestionOfOtherMethod", "pixel-of-byte 137", "sections", 28, "lesson's method"},
-    {"OptionsTooMany", "kind = \"pixel\"", "kind = \"pixel\"\noptions = [\"a\"]", 28, "options"},
-    {"BadExplain", "kind = \"pixel\"", "kind = \"pixel\"\nexplain = \"here\"", 28, "auto"},
-    {"BrokenTomlInBlock", "kind = \"pixel\"", "kind = pixel", 27, "a text needs quotes"},
+    {"AgainstNoMethod", "sections as-printed f32", "section", 21, "the id of a method"},
+    {"AgainstNoVariant", "sections as-printed f32", "sections as-published", 21, "variant"},
+    {"TwoSets", "## The second one.", "```set\n```\n\n## The second one.", 24, "second set"},
+    {"MissingAsk", "ask = \"Which pixel?\"\n", "", 26, "'ask'"},
+    {"MissingKind", "kind = \"pixel\"\nanswer", "answer", 26, "'kind'"},
+    {"UnknownKind", "kind = \"pixel\"", "kind = \"pixels\"", 28, "texel"},
+    {"OtherKind", "kind = \"pixel\"", "kind = \"number\"", 28, "'pixel'"},
+    {"UnknownQuestion", "pixel-of-byte 137", "meaning-of-life", 29, "doubles"},
+    {"MissingArgument", "pixel-of-byte 137", "pixel-of-byte", 29, "N"},
+    {"BadArgument", "pixel-of-byte 137", "pixel-of-byte x", 29, "number"},
+    {"TooManyArguments", "pixel-of-byte 137", "pixel-of-byte 1 2", 29, "no '2'"},
+    {"QuestionOfOtherMethod", "pixel-of-byte 137", "sections", 29, "lesson's method"},
+    {"OptionsTooMany", "kind = \"pixel\"", "kind = \"pixel\"\noptions = [\"a\"]", 29, "options"},
+    {"BadExplain", "kind = \"pixel\"", "kind = \"pixel\"\nexplain = \"here\"", 29, "auto"},
+    {"BrokenTomlInBlock", "kind = \"pixel\"", "kind = pixel", 28, "a text needs quotes"},
 };
 
 class LessonFault : public testing::TestWithParam<Fault> {};

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "app/lesson/facts.h"
@@ -244,6 +245,7 @@ TEST(Questions, EachIsNamedOnceAndDocumented) {
     std::string call(question.name);
     if (question.form == "A B") return call + " 1 2";
     if (question.form == "V") return call + " " + std::to_string(std::abs(b) % 3);
+    if (question.form.starts_with("METHOD")) return call + (a % 2 == 0 ? " barycentric" : " forward as-printed fx8.8");
     if (question.name == "first-flip") return call + " 0 100 10000 1000000";
     if (question.form == "N") return call + " " + std::to_string(100 * a);
     if (!question.form.empty()) call += " " + std::to_string(a) + " " + std::to_string(b);
@@ -322,6 +324,39 @@ TEST(Questions, TheEndNearerToTheCutWeighsMore) {
     EXPECT_NEAR(*board.ask("cut-weight 1.1 0.7").number, 0.75, 1e-12);
     EXPECT_NEAR(*board.ask("cut-weight 1.3 0.9").number, 0.25, 1e-12);
     EXPECT_FALSE(board.ask("cut-weight 0.9 0.7").number);
+}
+
+TEST(Questions, TwoRunsDifferWhereTheyReadOtherTexelsAndTheCauseIsNamed) {
+    const Scene scene = scene_of(32, 24,
+                                 {{{.x = 1.5F, .y = 18.5F, .w = 1, .u = 0, .v = 16},
+                                   {.x = 10.5F, .y = .5F, .w = 2, .u = 2, .v = 0},
+                                   {.x = 26.5F, .y = 8.5F, .w = 1, .u = 16, .v = 14}}});
+    const auto drawn = [&](std::string_view method, std::string_view variant) {
+        return Board(scene, method, variant).ask("drawn").number.value();
+    };
+    Board planes(scene, "edge-equations", "corrected");
+    const Accepted warped = planes.ask("differs barycentric");
+    EXPECT_GT(warped.places.size(), 50U);
+    EXPECT_LT(static_cast<double>(warped.places.size()), drawn("edge-equations", "corrected"));
+    EXPECT_EQ(warped.sentence, fmt::format("{0} pixels differ: {0} by warp.", warped.places.size()));
+    for (const glm::ivec2 place : warped.places) {
+        const auto a = samples_at(*planes.drawing, place.x, place.y);
+        Board weights(scene, "barycentric", "corrected");
+        const auto b = samples_at(*weights.drawing, place.x, place.y);
+        ASSERT_TRUE(!a.empty() && !b.empty());
+        EXPECT_TRUE(a[0].second.column != b[0].second.column || a[0].second.row != b[0].second.row);
+    }
+    EXPECT_FALSE(warped.step.empty());
+    EXPECT_EQ(planes.ask("cause barycentric").options, std::vector<int>{3});
+    EXPECT_EQ(planes.ask("cause sections").options, std::vector<int>{4});
+    EXPECT_TRUE(planes.ask("differs sections").places.empty());
+    EXPECT_EQ(planes.ask("cause backward-affine corrected fx8.8").options, std::vector<int>{2});
+    Board forward(scene, "forward", "corrected");
+    EXPECT_EQ(forward.ask("cause barycentric").options, std::vector<int>{0});
+    EXPECT_EQ(find_question("differs")->kind, Prediction::Kind::pixel);
+    EXPECT_FALSE(parse_question("differs", *find_method("sections")));
+    EXPECT_FALSE(parse_question("differs nobody", *find_method("sections")));
+    EXPECT_FALSE(parse_question("differs sections as-printed", *find_method("sections")));
 }
 
 TEST(Questions, ASceneWithoutShapesHasAnswersToo) {

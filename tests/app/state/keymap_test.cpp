@@ -76,6 +76,36 @@ TEST_F(KeymapTest, SingleLettersCanBeSwitchedOff) {
     EXPECT_EQ(press({Key::z, true}).actions.size(), 1U);
 }
 
+TEST_F(KeymapTest, DShowsTheDifferenceInTheTabThatIsOpenAndTakesItAway) {
+    Look look = store.state().look;
+    look.tab = 2;
+    store.dispatch(action::SetLook{look});
+    store.dispatch(only<action::SetLook>(press({Key::d})));
+    EXPECT_TRUE(store.state().look.difference);
+    EXPECT_EQ(store.state().look.tab, 0);
+    store.dispatch(only<action::SetLook>(press({Key::d})));
+    EXPECT_FALSE(store.state().look.difference);
+    EXPECT_FALSE(store.can_undo());
+}
+
+TEST_F(KeymapTest, VWithPlusAndMinusDoublesADepthInEightPresses) {
+    store.dispatch(action::ChooseHandle{{0, 2, false}});
+    const auto depth = [&] { return store.derived().scene().polygons[0].vertices[2].w; };
+    for (int n = 0; n < 8; ++n) store.dispatch(only<action::SetDepth>(press({Key::equal}, {Key::v})));
+    EXPECT_EQ(depth(), 2);
+    for (int n = 0; n < 16; ++n) store.dispatch(only<action::SetDepth>(press({Key::minus}, {Key::v})));
+    EXPECT_EQ(depth(), .5F);
+    store.dispatch(only<action::SetDepth>(press({Key::equal, true}, {Key::v})));
+    EXPECT_EQ(depth(), 1);
+    store.dispatch(action::Undo{});
+    EXPECT_EQ(depth(), .5F);
+}
+
+TEST_F(KeymapTest, VWithDTakesTheOtherDiagonal) {
+    EXPECT_EQ(only<action::TurnRing>(press({Key::d}, {Key::v})).polygon, 0);
+    EXPECT_TRUE(press({.key = Key::d, .repeat = true}, {Key::v}).actions.empty());
+}
+
 TEST_F(KeymapTest, VWithAnArrowMovesACornerByOnePixel) {
     const Handle handle{0, 1, false};
     store.dispatch(action::ChooseHandle{handle});

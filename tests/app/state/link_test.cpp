@@ -23,6 +23,8 @@ State changed_state() {
                                   .places = {{4, 5}, {-1, 7}},
                                   .verdict = Answer::Verdict::wrong});
     state.work.texture_file = "a b;c=d.png";
+    state.look.other = {"edge-equations", "as-published", NumberFormat::fx8_8};
+    state.look.difference = true;
     return state;
 }
 
@@ -33,6 +35,8 @@ TEST(Link, ParsesBackToTheSameState) {
     EXPECT_EQ(link->document, state.document->id);
     EXPECT_EQ(link->cursor, state.cursor);
     EXPECT_EQ(link->work, state.work);
+    EXPECT_EQ(link->other, state.look.other);
+    EXPECT_TRUE(link->difference);
 }
 
 TEST(Link, IsOnePrintableLine) {

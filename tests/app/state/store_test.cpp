@@ -1,5 +1,8 @@
 #include "app/state/store.h"
 
+#include <limits>
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "app/state/link.h"
@@ -119,6 +122,52 @@ TEST(Store, PixelAndTexelSelectTheirPartners) {
     ASSERT_EQ(pixel.texels.size(), 1U);
     const Highlight texel = store.derived().highlight({.kind = Selection::Kind::texel, .at = pixel.texels.front()});
     EXPECT_NE(std::find(texel.pixels.begin(), texel.pixels.end(), glm::ivec2(8, 14)), texel.pixels.end());
+}
+
+TEST(Store, ADepthStaysPositiveAndFiniteAndIsOneUndoEntry) {
+    Store store(opened(quad_document(), State{}));
+    const auto depth = [&] { return store.derived().scene().polygons[0].vertices[1].w; };
+    for (const float w : {2.0F, 3.0F, 4.0F}) store.dispatch(action::SetDepth{{0, 1, false}, w, 7});
+    EXPECT_EQ(depth(), 4);
+    store.dispatch(action::Undo{});
+    EXPECT_EQ(depth(), 1);
+    for (const float w : {0.0F, -5.0F, 1e30F}) {
+        store.dispatch(action::SetDepth{{0, 1, false}, w});
+        EXPECT_TRUE(depth() > 0 && depth() <= 64) << w;
+    }
+    const State before = store.state();
+    store.dispatch(action::SetDepth{{0, 1, false}, std::numeric_limits<float>::quiet_NaN()});
+    store.dispatch(action::SetDepth{{0, 9, false}, 2});
+    store.dispatch(action::SetDepth{{-1, 0, false}, 2});
+    EXPECT_EQ(store.state().work, before.work);
+}
+
+TEST(Store, ATurnedRingIsCutAlongTheOtherDiagonal) {
+    Store store(opened(quad_document(), State{}));
+    const std::vector<Vertex> ring = store.derived().scene().polygons[0].vertices;
+    const auto diagonal = [&] {  // the corners that both triangles have
+        const auto a = store.derived().drawing().corners(0), b = store.derived().drawing().corners(1);
+        std::set<std::pair<float, float>> shared;
+        for (const Vertex& p : a)
+            for (const Vertex& q : b)
+                if (p == q) shared.emplace(p.x, p.y);
+        return shared;
+    };
+    using Ends = std::set<std::pair<float, float>>;
+    EXPECT_EQ(diagonal(), (Ends{{ring[0].x, ring[0].y}, {ring[2].x, ring[2].y}}));
+    store.dispatch(action::ChooseHandle{{0, 0, false}});
+    store.dispatch(action::TurnRing{0});
+    EXPECT_EQ(diagonal(), (Ends{{ring[1].x, ring[1].y}, {ring[3].x, ring[3].y}}));
+    EXPECT_EQ(store.state().handle.vertex, 3);  // the same corner
+    const auto link = parse_link(print_link(store.state()));
+    ASSERT_TRUE(link);
+    EXPECT_EQ(link->work, store.state().work);
+    store.dispatch(action::Undo{});
+    EXPECT_EQ(store.derived().scene().polygons[0].vertices, ring);
+    for (int n = 0; n < 4; ++n) store.dispatch(action::TurnRing{0});
+    EXPECT_EQ(store.derived().scene().polygons[0].vertices, ring);
+    store.dispatch(action::TurnRing{1});
+    EXPECT_EQ(store.derived().scene().polygons[0].vertices, ring);
 }
 
 TEST(Store, TheListOfLessonsOpensAtTheOpenLesson) {

@@ -1,13 +1,15 @@
+#include <algorithm>
+
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/lesson/facts.h"
+#include "app/state/compared_run.h"
 #include "tests/app/views/view_stage.h"
 
 namespace texelscope {
 namespace {
 
 const ui::Area kLarge{0, 0, 624, 288};
-const Window kAll{{0, 0, 40, 30}, 1};
 
 /// A parallelogram over 40 x 30 pixels; `far` is the w of its upper side.
 [[nodiscard]] std::shared_ptr<const Document> face_document(float far) {
@@ -26,69 +28,62 @@ const Window kAll{{0, 0, 40, 30}, 1};
     return document;
 }
 
-[[nodiscard]] std::unique_ptr<ViewStage> stage_of(const std::string& method, float far, std::string_view quirk = {}) {
-    auto stage = std::make_unique<ViewStage>(StageSpec{.method = method, .step = "t0"}, face_document(far));
-    if (!quirk.empty()) stage->state.work.quirks = QuirkSet{1} << quirk_number(*find_method(method), quirk).value();
-    stage->derived.update(stage->state);
-    return stage;
+[[nodiscard]] std::unique_ptr<ViewStage> stage_of(const std::string& method, float far) {
+    return std::make_unique<ViewStage>(StageSpec{.method = method, .step = "t0"}, face_document(far));
 }
-[[nodiscard]] int count(const ViewStage& stage, std::string_view other, Cause cause) {
-    return stage.derived.difference(kAll, *find_method(other)).count[static_cast<std::size_t>(cause)];
-}
-
-TEST(Difference, TwoCorrectedMethodsOnAFlatFaceDifferInRoundingAtMost) {
-    const auto stage = stage_of("barycentric", 1);
-    for (const std::string_view other : {"edge-equations", "backward-affine", "backward-projective"}) {
-        EXPECT_EQ(count(*stage, other, Cause::coverage), 0) << other;
-        EXPECT_EQ(count(*stage, other, Cause::offset), 0) << other;
-        EXPECT_EQ(count(*stage, other, Cause::warp), 0) << other;
-        EXPECT_GT(count(*stage, other, Cause::same), 600) << other;
-    }
-}
-
-TEST(Difference, PerspectiveAgainstAffineIsWarp) {
-    const auto stage = stage_of("backward-projective", 2);
-    EXPECT_GT(count(*stage, "backward-affine", Cause::warp), 50);
-    EXPECT_EQ(count(*stage, "backward-affine", Cause::offset), 0);
-    EXPECT_EQ(count(*stage, "constant-z", Cause::warp), 0);
-}
-
-TEST(Difference, AStepTooEarlyIsAnOffset) {
-    const auto stage = stage_of("backward-affine", 1, "add_first");
-    EXPECT_GT(count(*stage, "backward-projective", Cause::offset), 50);
-    EXPECT_EQ(count(*stage, "backward-projective", Cause::warp), 0);
-}
-
-TEST(Difference, WhatOnlyOneDrawsIsCoverage) {
-    const auto stage = stage_of("edge-equations", 1, "corners");
-    EXPECT_GT(count(*stage, "barycentric", Cause::coverage), 20);
-}
-
-TEST(Difference, CellsOfAllCausesAreAllCells) {
-    const auto stage = stage_of("backward-projective", 2);
-    const Difference& d = stage->derived.difference(kAll, *find_method("edge-walk"));
-    int sum = 0;
-    for (const int n : d.count) sum += n;
-    EXPECT_EQ(sum, kAll.rect.width() * kAll.rect.height());
-}
-
-TEST(DifferenceView, TheOtherMethodIsChosenThere) {
-    const auto made = stage_of("backward-projective", 2);
-    ViewStage& stage = *made;
-    stage.frame("difference", kLarge);
-    EXPECT_TRUE(stage.shows("against Backward: two additions"));
-    EXPECT_TRUE(stage.shows("warp"));
-    const ui::ControlRecord* next = stage.control("next method");
-    ASSERT_NE(next, nullptr);
-    stage.input.mouse = next->area.centre();
+void click(ViewStage& stage, glm::vec2 at) {
+    stage.input.mouse = at;
     stage.frame("difference", kLarge);
     stage.input.pressed[0] = true, stage.input.down[0] = true;
     stage.frame("difference", kLarge);
     stage.input.released[0] = true, stage.input.down[0] = false;
     stage.frame("difference", kLarge);
-    const auto* look = stage.done<action::SetLook>();
-    ASSERT_NE(look, nullptr);
-    EXPECT_EQ(look->look.other, "barycentric");  // its own method is left out
+}
+
+TEST(DifferenceView, MethodVariantAndNumberAreChosenThere) {
+    const auto made = stage_of("backward-projective", 2);
+    ViewStage& stage = *made;
+    stage.frame("difference", kLarge);
+    EXPECT_TRUE(stage.shows("against Barycentric weights"));
+    EXPECT_TRUE(stage.shows("both read the same texel everywhere"));
+    const auto press = [&](const std::string& label) {
+        const ui::ControlRecord* control = stage.control(label);
+        ASSERT_NE(control, nullptr) << label;
+        click(stage, control->area.centre());
+        const auto* look = stage.done<action::SetLook>();
+        ASSERT_NE(look, nullptr) << label;
+        stage.state.look = look->look;
+        stage.frame("difference", kLarge);
+    };
+    press("previous method");
+    EXPECT_EQ(text_of(stage.state.look.other), "backward-projective corrected f64");  // its own, run otherwise
+    EXPECT_TRUE(stage.shows("both read the same texel everywhere"));
+    press("corrected");
+    EXPECT_EQ(text_of(stage.state.look.other), "backward-projective as-printed f64");
+    EXPECT_TRUE(stage.shows("as printed, f64"));
+    press("f64");
+    EXPECT_EQ(text_of(stage.state.look.other), "backward-projective as-printed f32");
+    press("next method");
+    EXPECT_EQ(text_of(stage.state.look.other), "barycentric corrected f32");
+    press("previous method"), press("previous method");
+    EXPECT_EQ(text_of(stage.state.look.other), "backward-affine corrected f32");
+    EXPECT_TRUE(stage.shows("warp"));
+}
+
+TEST(DifferenceView, AClickOnAnyOfTheThreePicturesPinsThePixel) {
+    const auto made = stage_of("backward-projective", 2);
+    ViewStage& stage = *made;
+    for (int picture = 0; picture < 3; ++picture) {
+        stage.frame("difference", kLarge);
+        const auto found = std::find_if(stage.report.controls.begin(), stage.report.controls.end(),
+                                        [&](const auto& c) { return c.name == fmt::format("difference/{}", picture); });
+        ASSERT_NE(found, stage.report.controls.end());
+        click(stage, found->area.centre());
+        const auto* pin = stage.done<action::Pin>();
+        ASSERT_NE(pin, nullptr) << picture;
+        EXPECT_EQ(pin->what.kind, Selection::Kind::pixel);
+        EXPECT_LE(std::abs(pin->what.at.x - 20) + std::abs(pin->what.at.y - 15), 1);
+    }
 }
 
 TEST(DifferenceView, FitsAndCanBeReadAtEverySizeOfText) {

@@ -403,8 +403,12 @@ TEST(SideViews, ABeatReplacesTheLessonsAndTheyStayUntilTheNext) {
     EXPECT_EQ(layout_of(state, kSize).slots[0].w, 248);
     state.cursor.beat = 2;
     EXPECT_EQ(side_views(state), (std::vector<std::string_view>{"formula"}));
+    state.look.difference = true;
+    EXPECT_EQ(side_views(state), (std::vector<std::string_view>{"difference"}));
+    state.cursor.beat = 0;
+    EXPECT_EQ(side_views(state), (std::vector<std::string_view>{"face", "ring", "difference"}));
     state.document = nullptr;
-    EXPECT_EQ(side_views(state).size(), 3U);
+    EXPECT_EQ(side_views(state), (std::vector<std::string_view>{"texels", "formula", "difference"}));
 }
 
 }  // namespace
