@@ -17,7 +17,7 @@ namespace {
 /// The works make the same scene of a document.
 [[nodiscard]] bool same_scene(const Work& a, const Work& b) {
     return a.edits == b.edits && a.meshes == b.meshes && a.focal == b.focal && a.frame == b.frame &&
-           a.texture == b.texture;
+           a.size_twice == b.size_twice && a.texture == b.texture;
 }
 
 [[nodiscard]] bool trivial(Op op) { return op == Op::input || op == Op::constant || op == Op::same; }

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 
+#include "core/scene/jelly_quirk.h"
 #include "core/trace/listing.h"
 
 namespace texelscope {
@@ -41,6 +42,7 @@ void apply(State& state, const BeatSettings& set, std::optional<Path>& step) {
     }
     if (set.number) state.work.format = number_format(*set.number).value_or(state.work.format);
     for (const auto& [id, on] : set.quirks) {
+        if (id == kJellyQuirk.field) state.work.size_twice = on;
         const int n = quirk_index(method, id);
         if (n < 0) continue;
         const QuirkSet bit = QuirkSet{1} << n;
@@ -94,6 +96,7 @@ void go_to_beat(State& state, int beat, Derived& derived) {
     const Lesson& lesson = *state.document->lesson;
     state.cursor.beat = std::clamp(beat, 0, std::max(0, beat_count(state) - 1));
     state.work.method = lesson.method;
+    state.work.size_twice.reset();
     state.look.hits = false;
     BeatSettings start;
     start.variant = lesson.variant;

@@ -169,6 +169,7 @@ template <class T>
     if (key == "r") return read_mesh(value, work.meshes.emplace_back());
     if (key == "c") return read_float(value, work.focal) && work.focal >= 0;
     if (key == "f") return read(value, work.frame) && work.frame >= 0;
+    if (key == "j") return work.size_twice = value == "1", value == "0" || value == "1";
     if (key == "a") return read_answer(value, work.answers.emplace_back());
     if (key == "t") {
         const auto file = unescaped(value);
@@ -203,6 +204,7 @@ std::string print_link(const State& state) {
     for (const MeshEdit& e : w.meshes) text += print_mesh(e);
     if (w.focal > 0) text += fmt::format(";c={}", w.focal);
     if (w.frame != 0) text += fmt::format(";f={}", w.frame);
+    if (w.size_twice) text += *w.size_twice ? ";j=1" : ";j=0";
     for (const Answer& a : w.answers) text += ";" + print_answer(a);
     if (!w.texture_file.empty()) text += ";t=" + escaped(w.texture_file);
     return with_checksum(text);

@@ -64,12 +64,13 @@ struct Work {
     std::string method, variant;  ///< ids
     NumberFormat format = NumberFormat::f64;
     NumberMode mode;
-    QuirkSet quirks = 0;            ///< as they stand, the variant's with the switches applied
-    std::vector<VertexEdit> edits;  ///< sorted by polygon, then vertex
-    std::vector<MeshEdit> meshes;   ///< sorted by mesh
-    float focal = 0;                ///< of the camera [px]; 0: the scene's
-    int frame = 0;                  ///< of all textures that move, from 0
-    std::string texture_file;       ///< a person's own image in place of the scene's first texture; empty for none
+    QuirkSet quirks = 0;             ///< as they stand, the variant's with the switches applied
+    std::vector<VertexEdit> edits;   ///< sorted by polygon, then vertex
+    std::vector<MeshEdit> meshes;    ///< sorted by mesh
+    float focal = 0;                 ///< of the camera [px]; 0: the scene's
+    int frame = 0;                   ///< of all textures that move, from 0
+    std::optional<bool> size_twice;  ///< the quirk of jelly cubes; nothing: as the scene has it
+    std::string texture_file;        ///< a person's own image in place of the scene's first texture; empty for none
     std::shared_ptr<const Texture> texture;  ///< its texels
     std::vector<Answer> answers;
     friend bool operator==(const Work&, const Work&) = default;
