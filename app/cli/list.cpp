@@ -13,6 +13,7 @@
 #include "app/shell/documents.h"
 #include "app/views/view.h"
 #include "core/method/method.h"
+#include "core/scene/jelly_quirk.h"
 #include "core/trace/listing.h"
 
 namespace texelscope {
@@ -79,29 +80,26 @@ Entries view_entries() {
     return entries;
 }
 
+/// @param of  the method's id, or what else has the quirk.
+Entry quirk_entry(std::string_view of, const Listing& listing, const QuirkInfo& quirk) {
+    Entry e{{std::string(of), std::string(quirk.id), std::string(quirk.field), std::string(quirk.sentence)}, {}};
+    e.json.text("method", of).text("id", quirk.id).text("field", quirk.field).text("title", quirk.title);
+    e.json.text("sentence", quirk.sentence).raw("form", quirk.kind == QuirkKind::form ? "true" : "false");
+    if (const int line = guilty_line(listing, quirk); line > 0) {
+        const std::string code = code_at(listing, line);
+        e.columns.push_back(fmt::format("{}:{}: {}", listing.path, line, code));
+        e.json.text("file", listing.path).number("line", line).text("code", code);
+    }
+    return e;
+}
+
 Entries quirks() {
     Entries entries;
     for (const Method* method : methods()) {
         const Listing listing = load_listing(method->listing);
-        for (const QuirkInfo& quirk : method->quirks) {
-            const int line = guilty_line(listing, quirk);
-            Entry e{
-                {std::string(method->id), std::string(quirk.id), std::string(quirk.field), std::string(quirk.sentence)},
-                {}};
-            e.json.text("method", method->id)
-                .text("id", quirk.id)
-                .text("field", quirk.field)
-                .text("title", quirk.title);
-            e.json.text("sentence", quirk.sentence).raw("form", quirk.kind == QuirkKind::form ? "true" : "false");
-            if (line > 0) {
-                const std::string& code = listing.lines[static_cast<std::size_t>(line) - 1];
-                const std::string trimmed = code.substr(std::min(code.find_first_not_of(' '), code.size()));
-                e.columns.push_back(fmt::format("{}:{}: {}", method->listing, line, trimmed));
-                e.json.text("file", method->listing).number("line", line).text("code", trimmed);
-            }
-            entries.push_back(std::move(e));
-        }
+        for (const QuirkInfo& quirk : method->quirks) entries.push_back(quirk_entry(method->id, listing, quirk));
     }
+    entries.push_back(quirk_entry(kJellyCubes, load_listing(kJellyListing), kJellyQuirk));
     return entries;
 }
 

@@ -47,7 +47,8 @@ Accepted cut_corners(const Asked& asked) {
     const MeshPlacement& cubes = asked.drawing.scene().meshes[static_cast<std::size_t>(mesh)];
     if (cubes.shape != Shape3d::jelly_cubes || !(cubes.ratio > 0)) return a;
     std::string names;
-    const auto corners = jelly_corners(cubes.ratio, rotation(cubes.rotate), rotation(cubes.rotate2), 1);
+    const auto corners = jelly_corners(cubes.ratio, rotation(cubes.rotate), rotation(cubes.rotate2), 1,
+                                       asked.drawing.scene().size_twice);
     for (std::size_t n = 0; n < corners.size() / 2; ++n) {  // opposite corners, n and 7 - n, reach equally far
         if (!corners[n].outside) continue;
         a.options.push_back(static_cast<int>(n));

@@ -12,6 +12,7 @@
 #include "app/lesson/questions.h"
 #include "app/state/compared_run.h"
 #include "core/number/format.h"
+#include "core/scene/jelly_quirk.h"
 #include "core/trace/listing.h"
 
 namespace texelscope {
@@ -92,7 +93,8 @@ Result<BeatSettings> read_settings(const std::vector<TomlEntry>& entries, const 
     set.number = fields.name_among("number", numbers);
     set.variant = fields.name_among("variant", variants);
     set.quirks = fields.switches("quirks").value_or(TomlSwitches{});
-    for (const auto& [quirk, on] : set.quirks) demand_quirk(fields, "quirks", quirk, words);
+    for (const auto& [quirk, on] : set.quirks)
+        if (quirk != kJellyQuirk.field) demand_quirk(fields, "quirks", quirk, words);
     set.pin = fields.text("pin");
     if (set.pin) demand_pin(fields, *set.pin, *words.method);
     if (const auto random = fields.text("random")) {

@@ -79,6 +79,7 @@ void Shell::frame(const ui::Input& input) {
                         .actions = actions,
                         .can_undo = store_.can_undo(),
                         .can_redo = store_.can_redo(),
+                        .timed = options_.timed,
                         .hover = derived.highlight(state().hover),
                         .pinned = derived.highlight(state().pinned),
                         .requests = &requests};

@@ -18,6 +18,7 @@ namespace texelscope {
 struct ShellOptions {
     std::filesystem::path save_folder = ".";  ///< where Ctrl+S and Ctrl+E write
     ui::UiOptions ui;
+    bool timed = false;  ///< as ViewContext's
 };
 
 class Shell {

@@ -54,7 +54,7 @@ int open_window(const WindowRequest& request) {
     std::optional<Error> broken;
     const auto start = [&](Host& host) {
         std::vector<Error> faulty;
-        auto started = Shell::start(host, *state, built_in_lessons(faulty));
+        auto started = Shell::start(host, *state, built_in_lessons(faulty), {.timed = true});
         for (const Error& fault : faulty) warn(fault.text());
         if (started) {
             shell = *std::move(started);

@@ -91,6 +91,9 @@ struct SetRatio {
     float ratio = 1;  ///< of jelly cubes
     int gesture = 0;
 };
+struct SetSizeTwice {
+    bool on = false;
+};  ///< the quirk of jelly cubes
 struct SetFocal {
     float focal = 0;  ///< [px]
     int gesture = 0;
@@ -186,11 +189,11 @@ using Action =
                  action::Advance, action::SetLevel, action::Finer, action::StepIn, action::FinishUnit, action::Play,
                  action::Speed, action::ToggleBookmark, action::GoToBookmark, action::MoveVertex, action::MoveShape,
                  action::SetDepth, action::TurnRing, action::ChooseHandle, action::Turn, action::ChooseTurning,
-                 action::SetRatio, action::SetFocal, action::SetFrame, action::SetRandom, action::StartRace,
-                 action::FinishLap, action::PlayFrames, action::FrameRate, action::SetFormat, action::SetMode,
-                 action::SetVariant, action::SetQuirk, action::SetQuirks, action::SetMethod, action::SetTexture,
-                 action::Choose, action::Type, action::Point, action::Check, action::Skip, action::Hover, action::Pin,
-                 action::SetLook, action::Show, action::ChooseLesson, action::Escape, action::Undo, action::Redo,
-                 action::Reset, action::Restore>;
+                 action::SetRatio, action::SetSizeTwice, action::SetFocal, action::SetFrame, action::SetRandom,
+                 action::StartRace, action::FinishLap, action::PlayFrames, action::FrameRate, action::SetFormat,
+                 action::SetMode, action::SetVariant, action::SetQuirk, action::SetQuirks, action::SetMethod,
+                 action::SetTexture, action::Choose, action::Type, action::Point, action::Check, action::Skip,
+                 action::Hover, action::Pin, action::SetLook, action::Show, action::ChooseLesson, action::Escape,
+                 action::Undo, action::Redo, action::Reset, action::Restore>;
 
 }  // namespace texelscope

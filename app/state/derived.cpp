@@ -58,7 +58,7 @@ namespace {
 
 bool same_scene(const Work& a, const Work& b) {
     return a.edits == b.edits && a.meshes == b.meshes && a.focal == b.focal && a.frame == b.frame &&
-           a.random == b.random && a.texture == b.texture;
+           a.random == b.random && a.size_twice == b.size_twice && a.texture == b.texture;
 }
 
 bool same_race(const Work& a, const Work& b) { return a.format == b.format && a.mode == b.mode && same_scene(a, b); }

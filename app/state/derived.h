@@ -156,6 +156,8 @@ public:
     [[nodiscard]] FrameStrip frames() const;
 
     [[nodiscard]] const Image& final_picture() const;
+    /// How long the method took to draw it, nobody watching [ms]. Another each time, so for a person's eyes alone.
+    [[nodiscard]] double frame_time() const;
     [[nodiscard]] const CanvasPicture& canvas(const Window& window) const;
     /// How often the whole drawing writes each cell of the window, up to 255.
     [[nodiscard]] const Grid<std::uint8_t>& hits(const Window& window) const;

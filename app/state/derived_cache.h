@@ -30,6 +30,7 @@ struct Derived::Cache {
     /// Holds as long as the drawing does.
     struct OfDrawing {
         std::optional<Image> final_picture;
+        double frame_time = 0;  ///< that it took [ms]
         std::optional<std::vector<Notice>> notices;
         std::optional<Layer> whole;  ///< the end of the drawing, over the canvas' window
         /// The canvas before the first sample of a shape.

@@ -1,5 +1,6 @@
 // The canvas' picture at the cursor's step, lanes of the timeline, and the samples of the current row.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "app/state/derived_cache.h"
@@ -32,8 +33,17 @@ constexpr std::int64_t kMostCounted = 1 << 20;  ///< samples: counting more woul
 
 const Image& Derived::final_picture() const {
     auto& picture = cache_->of_drawing.final_picture;
-    if (!picture) picture = render(drawing());
+    if (picture) return *picture;
+    const auto start = std::chrono::steady_clock::now();
+    picture = render(drawing());
+    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+    cache_->of_drawing.frame_time = taken.count();
     return *picture;
+}
+
+double Derived::frame_time() const {
+    static_cast<void>(final_picture());
+    return cache_->of_drawing.frame_time;
 }
 
 const CanvasPicture& Derived::canvas(const Window& wanted) const {
@@ -64,9 +74,18 @@ int Derived::first_needed() const { return scene().depth == Depth::less ? 0 : st
 const CanvasPicture& Derived::canvas_before(int shape, const Window& window) const {
     auto& whole = cache_->of_drawing.whole;
     auto& before = cache_->of_drawing.before;
-    if (!whole || whole->window() != window) whole = layer_of(drawing(), drawing().shape_count(), window), before = {};
-    if (before && before->shape == shape) return before->canvas;
-    const Layer so_far = layer_of(drawing(), std::max(0, shape), window, &*whole);
+    const bool whole_known = whole && whole->window() == window;
+    if (whole_known && before && before->shape == shape) return before->canvas;
+    const int first = std::max(0, shape);
+    Layer so_far;
+    if (whole_known || !drawing().has_half() || scene().depth == Depth::less) {
+        if (!whole_known) whole = layer_of(drawing(), drawing().shape_count(), window);
+        so_far = layer_of(drawing(), first, window, &*whole);
+    } else {  // what blends is drawn in order: the end is the rest over what there is so far
+        so_far = layer_of(drawing(), first, window);
+        whole = so_far;
+        draw_over(drawing(), first, drawing().shape_count(), *whole);
+    }
     const Rgb clear = scene().framebuffer.clear;
     Grid<CanvasCell> cells(so_far.cells().width(), so_far.cells().height());
     std::transform(so_far.cells().data(), so_far.cells().data() + so_far.cells().size(), whole->cells().data(),

@@ -28,7 +28,8 @@ const JellyCubes* Derived::jelly() const {
     const int mesh = turning().mesh;
     if (mesh < 0 || scene().meshes[static_cast<std::size_t>(mesh)].shape != Shape3d::jelly_cubes) return nullptr;
     auto& jelly = cache_->jelly;
-    if (!jelly || jelly->mesh != mesh) jelly = {mesh, jelly_cubes_of(scene().meshes[static_cast<std::size_t>(mesh)])};
+    if (!jelly || jelly->mesh != mesh)
+        jelly = {mesh, jelly_cubes_of(scene().meshes[static_cast<std::size_t>(mesh)], scene().size_twice)};
     return &jelly->cubes;
 }
 

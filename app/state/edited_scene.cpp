@@ -23,7 +23,8 @@ Scene edited_scene(const Document& document, const Work& work, std::vector<Place
     Scene scene = document.scene;
     for (const MeshEdit& edit : work.meshes) apply(edit, scene);
     if (work.focal > 0) scene.camera.focal = work.focal;
-    if (!scene.meshes.empty() && (faces != nullptr || !work.meshes.empty() || work.focal > 0)) {
+    if (work.size_twice) scene.size_twice = *work.size_twice;
+    if (!scene.meshes.empty() && (faces != nullptr || !work.meshes.empty() || work.focal > 0 || work.size_twice)) {
         std::vector<PlacedFace> placed = place_meshes(scene);
         if (faces != nullptr) *faces = std::move(placed);
     }

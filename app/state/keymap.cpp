@@ -5,6 +5,9 @@
 #include <cmath>
 #include <optional>
 
+#include <fmt/format.h>
+
+#include "app/state/lesson_cursor.h"
 #include "app/state/lesson_table.h"
 
 namespace texelscope {
@@ -34,7 +37,7 @@ constexpr std::array kBindings{
     Binding{{Key::v}, Command::move_vertex}, Binding{{Key::i}, Command::inspect_pixel},
     Binding{{Key::o}, Command::turn_solid}, Binding{{Key::f}, Command::move_texture},
     Binding{{Key::h}, Command::hits}, Binding{{Key::d}, Command::difference}, Binding{{Key::k}, Command::palette},
-    Binding{{Key::x}, Command::variant}, Binding{{Key::c}, Command::plain_code},
+    Binding{{Key::x}, Command::variant}, Binding{{Key::w}, Command::array_passes}, Binding{{Key::c}, Command::plain_code},
     Binding{{Key::p}, Command::predict},
     Binding{{Key::z, true}, Command::undo}, Binding{{Key::y, true}, Command::redo}, Binding{{Key::z, true, true}, Command::redo},
     Binding{{Key::r}, Command::reset},
@@ -73,6 +76,7 @@ constexpr std::array kHelp{
     KeyHelp{"Look and change", "K", "the palette of the texture"},
     KeyHelp{"Look and change", "D", "where another method differs, and why"},
     KeyHelp{"Look and change", "X", "as printed or corrected"},
+    KeyHelp{"Look and change", "W", "work in arrays, or pixel by pixel"},
     KeyHelp{"Look and change", "C", "plain code, or with its trace"},
     KeyHelp{"Look and change", "P", "check the prediction"},
     KeyHelp{"Look and change", "Ctrl+Z Y", "undo, redo"},
@@ -92,6 +96,8 @@ constexpr std::array kHelp{
 // clang-format on
 
 constexpr std::string_view kNoSolid = "This scene has no solid to turn.", kStill = "No texture of this scene moves.";
+constexpr std::string_view kNoArrays = "{} has no array passes, only its loops over pixels.";
+constexpr std::string_view kArrays = "arrays";  ///< the quirk that has the passes
 constexpr float kLeastScale = 1, kMostScale = 2.5F;
 constexpr std::array kScales{1.0F, 1.25F, 1.5F, 2.0F, 2.5F};
 constexpr int kRepeatGesture = -1;  ///< moves by a held key are one entry for undo
@@ -281,6 +287,13 @@ private:
         act(action::SetVariant{std::string(variants[(now + 1) % variants.size()].id)});
     }
 
+    /// Array passes, or one loop over pixels.
+    void exchange_arrays(const ui::KeyPress& press) {
+        const int quirk = quirk_index(derived_.method(), kArrays);
+        if (quirk < 0) return act(action::Say{{fmt::format(kNoArrays, derived_.method().title)}});
+        if (!press.repeat) act(action::SetQuirk{quirk, (state_.work.quirks >> quirk & 1U) == 0});
+    }
+
     void run(Command command, const ui::KeyPress& press) {
         if (!run_step(command) && !run_edit(command, press) && !run_request(command)) run_look(command, press);
     }
@@ -328,6 +341,7 @@ private:
                 if (!press.repeat && state_.pinned.kind != Selection::Kind::pixel) move_pin({0, 0});
                 return true;
             case Command::variant: next_variant(); return true;
+            case Command::array_passes: exchange_arrays(press); return true;
             case Command::predict: act(action::Check{}); return true;
             case Command::undo: act(action::Undo{}); return true;
             case Command::redo: act(action::Redo{}); return true;

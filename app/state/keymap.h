@@ -18,7 +18,8 @@ enum class Command : std::uint8_t {
     step_forward, step_back, advance, go_back, finer, coarser, step_in, finish_unit, play, slower, faster,
     first_step, last_step, go_to, bookmark, previous_bookmark, next_bookmark,
     next_lesson_in_list, previous_lesson_in_list, lesson_column_right, lesson_column_left, open_chosen_lesson,
-    move_vertex, turn_solid, move_texture, inspect_pixel, hits, difference, palette, variant, plain_code, predict,
+    move_vertex, turn_solid, move_texture, inspect_pixel, hits, difference, palette, variant, array_passes, plain_code,
+    predict,
     undo, redo, reset, save, open_file, export_picture, copy_link, paste, quit,
     present, blank, larger_text, smaller_text, usual_text, theme, lessons, keys, escape,
 };

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "app/state/compared_run.h"
+#include "core/scene/jelly_quirk.h"
 #include "core/trace/listing.h"
 
 namespace texelscope {
@@ -42,6 +43,7 @@ void apply(State& state, const BeatSettings& set, std::optional<Path>& step) {
     }
     if (set.number) state.work.format = number_format(*set.number).value_or(state.work.format);
     for (const auto& [id, on] : set.quirks) {
+        if (id == kJellyQuirk.field) state.work.size_twice = on;
         const int n = quirk_index(method, id);
         if (n < 0) continue;
         const QuirkSet bit = QuirkSet{1} << n;
@@ -99,9 +101,9 @@ void go_to_beat(State& state, int beat, Derived& derived) {
     const Lesson& lesson = *state.document->lesson;
     state.cursor.beat = std::clamp(beat, 0, std::max(0, beat_count(state) - 1));
     state.work.method = lesson.method;
+    state.work.random.reset(), state.work.size_twice.reset();
     state.look.hits = state.look.difference = false;
     state.look.other = {};
-    state.work.random.reset();
     BeatSettings start;
     start.variant = lesson.variant;
     start.number = lesson.format;

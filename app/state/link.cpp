@@ -179,6 +179,7 @@ template <class T>
     if (key == "c") return read_float(value, work.focal) && work.focal >= 0;
     if (key == "g") return read_random(value, work.random.emplace());
     if (key == "f") return read(value, work.frame) && work.frame >= 0;
+    if (key == "j") return work.size_twice = value == "1", value == "0" || value == "1";
     if (key == "a") return read_answer(value, work.answers.emplace_back());
     if (key == "d") {
         const auto words = unescaped(value);
@@ -221,6 +222,7 @@ std::string print_link(const State& state) {
     if (w.focal > 0) text += fmt::format(";c={}", w.focal);
     if (w.frame != 0) text += fmt::format(";f={}", w.frame);
     if (w.random) text += fmt::format(";g={},{},{}", w.random->count, w.random->size, w.random->seed);
+    if (w.size_twice) text += *w.size_twice ? ";j=1" : ";j=0";
     for (const Answer& a : w.answers) text += ";" + print_answer(a);
     if (const std::string run = text_of(state.look.other); !run.empty()) text += ";d=" + escaped(run);
     if (state.look.difference) text += ";D=1";

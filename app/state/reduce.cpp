@@ -181,6 +181,11 @@ public:
         edit->ratio = std::clamp(a.ratio, kLeastRatio, kMostRatio);
         settle_faces();
     }
+    void operator()(const action::SetSizeTwice& a) {
+        if (a.on == derived_.scene().size_twice) return;
+        s_.work.size_twice = a.on;
+        settle_faces();
+    }
     void operator()(const action::SetFocal& a) {
         if (!std::isfinite(a.focal)) return;
         s_.work.focal = std::clamp(a.focal, kLeastFocal, kMostFocal);

@@ -71,6 +71,7 @@ struct Work {
     float focal = 0;                        ///< of the camera [px]; 0: the scene's
     int frame = 0;                          ///< of all textures that move, from 0
     std::optional<RandomTriangles> random;  ///< in place of the scene's, where it has some
+    std::optional<bool> size_twice;         ///< the quirk of jelly cubes; nothing: as the scene has it
     std::string texture_file;  ///< a person's own image in place of the scene's first texture; empty for none
     std::shared_ptr<const Texture> texture;  ///< its texels
     std::vector<Answer> answers;

@@ -13,11 +13,12 @@ constexpr std::size_t kMostEntries = 1000;
            std::holds_alternative<action::SetDepth>(a) || std::holds_alternative<action::TurnRing>(a) ||
            std::holds_alternative<action::SetQuirks>(a) || std::holds_alternative<action::Turn>(a) ||
            std::holds_alternative<action::SetRatio>(a) || std::holds_alternative<action::SetFocal>(a) ||
-           std::holds_alternative<action::SetFrame>(a) || std::holds_alternative<action::SetRandom>(a) ||
-           std::holds_alternative<action::SetFormat>(a) || std::holds_alternative<action::SetMode>(a) ||
-           std::holds_alternative<action::SetVariant>(a) || std::holds_alternative<action::SetQuirk>(a) ||
-           std::holds_alternative<action::SetMethod>(a) || std::holds_alternative<action::SetTexture>(a) ||
-           std::holds_alternative<action::Reset>(a) || std::holds_alternative<action::Restore>(a);
+           std::holds_alternative<action::SetSizeTwice>(a) || std::holds_alternative<action::SetFrame>(a) ||
+           std::holds_alternative<action::SetRandom>(a) || std::holds_alternative<action::SetFormat>(a) ||
+           std::holds_alternative<action::SetMode>(a) || std::holds_alternative<action::SetVariant>(a) ||
+           std::holds_alternative<action::SetQuirk>(a) || std::holds_alternative<action::SetMethod>(a) ||
+           std::holds_alternative<action::SetTexture>(a) || std::holds_alternative<action::Reset>(a) ||
+           std::holds_alternative<action::Restore>(a);
 }
 
 /// The drag that the action belongs to; 0 for none.

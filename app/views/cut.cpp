@@ -12,6 +12,7 @@
 #include "app/ui/widgets.h"
 #include "app/views/terms.h"
 #include "core/geometry/jelly_frame.h"
+#include "core/scene/jelly_quirk.h"
 
 namespace texelscope {
 namespace {
@@ -37,6 +38,10 @@ constexpr std::array<std::string_view, 4> kRegimes{
     "Above 0.577 (1/√3) corners can stick out; whole edges only above 0.707.",
     "Above 0.707 (1/√2) whole edges can stick out, too; above 1 the cubes swap roles.",
     "Above 1 the cubes have swapped roles: now the big one's corners stick out of the small one."};
+constexpr std::string_view kTwice = "size twice",
+                           kTwiceTip =
+                               "As the source's listing has it: multiplied by the small cube's size a second time, "
+                               "where ±1 needs division by the big one's";
 constexpr double kLeastRatio = 0.4, kMostRatio = 1.3;
 
 class CutView {
@@ -49,7 +54,8 @@ public:
           cubes_(cubes),
           guest_(mesh.ratio > kRolesSwap ? 0 : 1),
           turns_{rotation(mesh.rotate), rotation(mesh.rotate2)},
-          corners_(jelly_corners(mesh.ratio, turns_[0], turns_[1], guest_)),
+          twice_(context.derived.scene().size_twice),
+          corners_(jelly_corners(mesh.ratio, turns_[0], turns_[1], guest_, twice_)),
           hidden_(asks_for_corners()) {
         const int shape = context.derived.shape();
         if (shape < 0) return;
@@ -282,9 +288,20 @@ private:
 
     // -- the sizes
     [[nodiscard]] std::vector<ui::Span> regime() const {
+        if (twice_) return guilty();
         const double ratio = mesh_.ratio;
         const std::size_t n = ratio > kRolesSwap ? 3 : ratio > kEdgesOut ? 2 : ratio > kCornersOut ? 1 : 0;
         return ui::spans_of(kRegimes[n], Role::text);
+    }
+    /// What the quirk does, and the line that does it.
+    [[nodiscard]] static std::vector<ui::Span> guilty() {
+        const Listing listing = load_listing(kJellyListing);
+        const int line = guilty_line(listing, kJellyQuirk);
+        std::vector<ui::Span> spans = ui::spans_of(std::string(kJellyQuirk.sentence) + " ", Role::text);
+        if (line == 0) return spans;
+        spans.push_back({ui::Span::Kind::code, code_at(listing, line), Role::now});
+        spans.push_back({ui::Span::Kind::text, fmt::format(" ({}:{})", listing.path, line), Role::muted});
+        return spans;
     }
     [[nodiscard]] float ratio_height() const {
         return std::max(ui_.px(24), std::ceil(ui_.font(Face::title).em * 1.6F));
@@ -293,7 +310,9 @@ private:
         const float high = ratio_height(), gap = ui_.px(10);
         const float name = ui::text_width(ui_.font(Face::title), kRatio) + gap;
         const float number = ui::text_width(ui_.font(Face::code), "0.000") + gap;
-        const Area bar{place.x + name, place.y, std::max(ui_.px(60), place.w - name - number), high};
+        const float twice = ui::button_width(ui_, kTwice);
+        const Area all{place.x, place.y, place.w - twice - gap, place.h};
+        const Area bar{all.x + name, all.y, std::max(ui_.px(60), all.w - name - number), high};
         const float middle = place.y + high / 2;
         ui_.text_within(Face::title, {place.x, ui::baseline_at_middle(ui_.font(Face::title), middle)}, name,
                         Role::muted, kRatio);
@@ -302,9 +321,12 @@ private:
         const auto moved = ui::slider(ui_, "cut/ratio", bar, ratio, range, kRatio, kRatioTip);
         const int mesh = context_.derived.turning().mesh;
         if (moved) context_.act(action::SetRatio{mesh, static_cast<float>(*moved), ui_.memory().presses});
-        if (bar.right() + number <= place.right() + 1)
-            ui_.text_right(Face::code, {place.right(), ui::baseline_at_middle(ui_.font(Face::code), middle)},
-                           Role::text, fmt::format("{:.3f}", ratio));
+        const Area button{place.right() - twice, place.y, twice, high};
+        if (ui::toggle(ui_, "cut/twice", button, kTwice, twice_, kTwiceTip).clicked)
+            context_.act(action::SetSizeTwice{!twice_});
+        if (bar.right() + number <= all.right() + 1)
+            ui_.text_right(Face::code, {all.right(), ui::baseline_at_middle(ui_.font(Face::code), middle)}, Role::text,
+                           fmt::format("{:.3f}", ratio));
         draw_ticks(bar, range);
     }
     void draw_ticks(const Area& bar, const ui::SliderRange& range) {
@@ -330,6 +352,7 @@ private:
     const JellyCubes& cubes_;
     int guest_ = 1;  ///< the cube that sticks out: the smaller one
     std::array<glm::dmat3, 2> turns_;
+    bool twice_ = false;  ///< the quirk
     std::array<JellyCorner, 8> corners_;
     bool hidden_ = false;
     const JellyPiece* piece_ = nullptr;  ///< the cursor's; null where its shape is none

@@ -18,7 +18,8 @@ using ui::Area;
 using ui::Face;
 using ui::Role;
 
-constexpr std::array<std::string_view, 3> kUsualViews{"texels", "formula", "code"};
+constexpr std::array<std::string_view, 3> kUsualViews{"texels", "formula", "code"},
+    kSolidsViews{"texels", "solids", "code"};
 constexpr std::string_view kCanvas = "canvas", kVariables = "variables", kLesson = "lesson", kLessonTab = "Lesson",
                            kPalette = "palette", kDifference = "difference", kValuesTab = "Values";
 constexpr std::string_view kNoView = "There is no view \"{}\" in this version.";
@@ -117,7 +118,11 @@ std::vector<std::string_view> side_views(const State& state) {
         }
     }
     names.erase(std::remove(names.begin(), names.end(), kCanvas), names.end());
-    if (names.empty()) names.assign(kUsualViews.begin(), kUsualViews.end());
+    if (names.empty()) {
+        const bool solids = state.document && !state.document->lesson && !state.document->scene.meshes.empty();
+        const auto& usual = solids ? kSolidsViews : kUsualViews;
+        names.assign(usual.begin(), usual.end());
+    }
     if (state.look.palette && std::find(names.begin(), names.end(), kPalette) == names.end()) {
         if (names.size() == kMaxViews) names.erase(names.begin());
         names.insert(names.begin(), kPalette);

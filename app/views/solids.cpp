@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "app/state/lesson_cursor.h"
 #include "app/ui/text.h"
 #include "app/ui/widgets.h"
 #include "app/views/terms.h"
@@ -26,6 +27,11 @@ constexpr std::string_view kGoTip = "Face {}: click to go to where it is drawn";
 constexpr std::string_view kBackTip = "Face {} looks away, so nothing is drawn";
 constexpr std::string_view kSigns = "area × 2", kLight = "light", kOrder = "drawn";
 constexpr std::string_view kNever = "no";
+constexpr std::string_view kFrontDrawn = "Only faces that face us are drawn, the farthest first",
+                           kAllDrawn = "All faces are drawn";
+constexpr std::string_view kTimeTip = ". The time is the method's, for the whole picture",
+                           kInArrays = ". The time is that of array passes over the whole picture; W: pixel by pixel",
+                           kByPixel = ". The time is that of the whole picture, pixel by pixel; W: in array passes";
 constexpr std::size_t kMostFaces = 512;  ///< rows; a model of more is shown in its stages alone
 constexpr int kStages = 4;
 
@@ -127,8 +133,17 @@ private:
                  {"project", "x · focal / z", "Divided by the distance, corners come to lie on the screen"},
                  {"cull", fmt::format("{} of {} face us", front_, all),
                   "The sign of a face's area on the screen says whether it shows its outside"},
-                 {"map", fmt::format("{} polygon{}", drawn_, drawn_ == 1 ? "" : "s"),
-                  culls ? "Only faces that face us are drawn, the farthest first" : "All faces are drawn"}}};
+                 {"map", fmt::format("{} polygon{}{}", drawn_, drawn_ == 1 ? "" : "s", frame_time()),
+                  fmt::format("{}{}", culls ? kFrontDrawn : kAllDrawn, context_.timed ? time_tip() : "")}}};
+    }
+    /// How long the whole picture took, where that is shown at all.
+    [[nodiscard]] std::string frame_time() const {
+        return context_.timed ? fmt::format(" {:6.1f} ms", derived_.frame_time()) : std::string();
+    }
+    [[nodiscard]] std::string_view time_tip() const {
+        const int arrays = quirk_index(derived_.method(), "arrays");
+        if (arrays < 0) return kTimeTip;
+        return (context_.state.work.quirks >> arrays & 1U) != 0 ? kInArrays : kByPixel;
     }
 
     float draw_stages(const Area& inner, float y) {

@@ -23,7 +23,8 @@ struct ViewContext {
     std::span<const Lesson> lessons;  ///< all, for the list
     std::vector<Action>& actions;     ///< what was done; the shell dispatches it after the frame
     bool can_undo = false, can_redo = false;
-    Highlight hover, pinned;                        ///< resolved once a frame
+    bool timed = false;       ///< how long frames take is shown: never in pictures of the window, which are all alike
+    Highlight hover, pinned;  ///< resolved once a frame
     std::vector<ShellRequest>* requests = nullptr;  ///< what only the shell can do; may be null
 
     void act(Action action) const { actions.push_back(std::move(action)); }

@@ -62,10 +62,15 @@ ClipStage clip_near(const Viewpoint& view, std::span<const ClipVertex> ring) {
     return stage;
 }
 
-Vertex to_screen(const Viewpoint& view, const glm::dvec4& position) {
+glm::dvec2 place_on_screen(const Viewpoint& view, const glm::dvec4& position) {
     TEXELSCOPE_ASSERT(position.w > 0);
-    return {.x = static_cast<float>(view.middle_x + position.x / position.w),
-            .y = static_cast<float>(view.middle_y + position.y / position.w),
+    return {view.middle_x + position.x / position.w, view.middle_y + position.y / position.w};
+}
+
+Vertex to_screen(const Viewpoint& view, const glm::dvec4& position) {
+    const glm::dvec2 place = place_on_screen(view, position);
+    return {.x = static_cast<float>(place.x),
+            .y = static_cast<float>(place.y),
             .z = static_cast<float>(std::clamp(position.z / position.w, 0.0, 1.0)),
             .w = static_cast<float>(position.w)};
 }

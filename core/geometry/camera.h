@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <span>
@@ -37,6 +38,9 @@ struct Viewpoint {
 
 /// The ring's part with z >= near, in clip space. A cut has exactly z = 0 and w = near, so that no w is 0 or less.
 [[nodiscard]] ClipStage clip_near(const Viewpoint& view, std::span<const ClipVertex> ring);
+
+/// The place on the screen [px]. Requires position.w > 0.
+[[nodiscard]] glm::dvec2 place_on_screen(const Viewpoint& view, const glm::dvec4& position);
 
 /// The corner on the screen, rounded to float32; u and v are left 0. Requires position.w > 0.
 [[nodiscard]] Vertex to_screen(const Viewpoint& view, const glm::dvec4& position);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "core/geometry/jelly_frame.h"
 #include "core/geometry/solids.h"
 
 namespace texelscope {
@@ -60,13 +61,16 @@ void weld(std::vector<JellyPiece>& pieces, double distance) {
 
 }  // namespace
 
-JellyCubes jelly_cubes(double big_half, double small_half, const glm::dmat3& big, const glm::dmat3& small) {
+JellyCubes jelly_cubes(double big_half, double small_half, const glm::dmat3& big, const glm::dmat3& small,
+                       bool size_twice) {
     const std::array<TurnedCube, 2> both{{{big_half, big}, {small_half, small}}};
     const Mesh mesh = cube();
     JellyCubes out;
     for (int c = 0; c < 2; ++c) {
         const auto at = static_cast<std::size_t>(c);
-        const std::array<glm::dvec4, 6> planes = both[1 - at].planes();
+        const bool is_guest = (c == 1) == (small_half <= big_half);
+        const double unit = cut_unit(both[at].half, both[1 - at].half, size_twice && is_guest);
+        const std::array<glm::dvec4, 6> planes = TurnedCube{unit, both[1 - at].turn}.planes();
         for (int face = 0; face < 6; ++face) {
             auto& stages = out.cuts[at][static_cast<std::size_t>(face)];
             stages = clip(both[at].ring(mesh, static_cast<std::size_t>(face)), planes, kThickness);

@@ -31,8 +31,10 @@ struct JellyCubes {
 /// nearer to a plane than 1e-12 half-sizes counts as on it, and corners nearer than 1e-9 of the larger half-size are
 /// made one, so that pieces which meet have corners of the same bits.
 /// Requires half-sizes above 0, and rotations.
-[[nodiscard]] JellyCubes jelly_cubes(double big_half, double small_half, const glm::dmat3& big,
-                                     const glm::dmat3& small);
+/// @param size_twice  quirk of core/geometry/jelly_frame.h: the smaller one is cut where the source's listing cuts it,
+///                    so that its pieces are neither inside nor outside of the other cube.
+[[nodiscard]] JellyCubes jelly_cubes(double big_half, double small_half, const glm::dmat3& big, const glm::dmat3& small,
+                                     bool size_twice = false);
 
 /// The volume of what the cubes have in common, whose surface is the pieces inside (divergence theorem).
 [[nodiscard]] double common_volume(const JellyCubes& cubes);

@@ -8,7 +8,8 @@
 
 namespace texelscope {
 
-std::array<JellyCorner, 8> jelly_corners(double small_half, const glm::dmat3& big, const glm::dmat3& small, int cube) {
+std::array<JellyCorner, 8> jelly_corners(double small_half, const glm::dmat3& big, const glm::dmat3& small, int cube,
+                                         bool size_twice) {
     TEXELSCOPE_ASSERT(small_half > 0 && (cube == 0 || cube == 1));
     const double own = cube == 0 ? 1 : small_half, other = cube == 0 ? small_half : 1;
     const glm::dmat3& turn = cube == 0 ? big : small;
@@ -18,7 +19,7 @@ std::array<JellyCorner, 8> jelly_corners(double small_half, const glm::dmat3& bi
         const auto sign = [n](unsigned axis) { return (n >> axis & 1U) != 0 ? -1.0 : 1.0; };
         JellyCorner& corner = corners[n];
         corner.world = turn * (glm::dvec3(sign(0), sign(1), sign(2)) * own);
-        corner.turned = back * corner.world / other;
+        corner.turned = back * corner.world / cut_unit(own, other, size_twice);
         for (int axis = 0; axis < 3; ++axis) {
             if (!(std::fabs(corner.turned[axis]) > corner.reach)) continue;
             corner.axis = axis, corner.reach = std::fabs(corner.turned[axis]);

@@ -13,10 +13,17 @@ namespace texelscope {
 /// that much farther from the middle than faces are), whole edges do (1 / sqrt 2), and it is the larger one.
 inline constexpr double kCornersOut = 0.57735026918962576, kEdgesOut = 0.70710678118654752, kRolesSwap = 1;
 
+/// What a place is divided by before it is compared with 1: the half-size of the cube that cuts.
+/// @param own         half-size of the cube that is cut.
+/// @param size_twice  quirk: as the source's listing has it, which multiplies by `own` a second time instead.
+[[nodiscard]] constexpr double cut_unit(double own, double other, bool size_twice) noexcept {
+    return size_twice ? 1 / own : other;  // Q1
+}
+
 /// A corner of one cube.
 struct JellyCorner {
     glm::dvec3 world{0};   ///< turned by its own rotation [half-sizes of the big cube]
-    glm::dvec3 turned{0};  ///< then back by the other's inverse [half-sizes of the other cube]
+    glm::dvec3 turned{0};  ///< then back by the other's inverse [cut_unit(), half-sizes of the other cube]
     int axis = 0;          ///< along which `turned` reaches farthest
     double reach = 0;      ///< its absolute value there
     bool outside = false;  ///< reach > 1
@@ -25,8 +32,9 @@ struct JellyCorner {
 /// Corner n lies at (bit 0 of n, bit 1, bit 2) of its cube, a bit that is set at the negative end.
 /// @param small_half  over the big one's, above 0.
 /// @param cube        whose corners: 0 the big one's, 1 the small one's.
+/// @param size_twice  as of cut_unit().
 [[nodiscard]] std::array<JellyCorner, 8> jelly_corners(double small_half, const glm::dmat3& big,
-                                                       const glm::dmat3& small, int cube);
+                                                       const glm::dmat3& small, int cube, bool size_twice = false);
 
 /// An edge cut at 1: the average of its ends, weighted by the lengths on each side, each by that of the other end.
 struct CutWeights {

@@ -20,6 +20,7 @@ inline constexpr int kMaxSnapBits = 60;
 /// The polygon with x and y snapped; the rest stays as it is.
 [[nodiscard]] inline Polygon snapped(Polygon polygon, int bits) {
     for (Vertex& vertex : polygon.vertices) vertex.x = snap(vertex.x, bits), vertex.y = snap(vertex.y, bits);
+    polygon.unrounded.corners.clear();
     return polygon;
 }
 

@@ -1,6 +1,7 @@
 // The inputs of every method: vertices and convex polygons, unsnapped float32.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <vector>
 
 namespace texelscope {
@@ -15,6 +16,13 @@ struct Vertex {
     friend bool operator==(const Vertex&, const Vertex&) = default;
 };
 
+/// What float32 loses of a polygon that was made from a mesh: for the variant as published, whose set-up is in double.
+struct Unrounded {
+    std::vector<glm::dvec2> corners;  ///< x and y on the screen [px], one for each vertex; empty: nothing was lost
+    double light = 1;
+    friend bool operator==(const Unrounded&, const Unrounded&) = default;
+};
+
 /// A convex polygon, three or more corners in order, either winding.
 struct Polygon {
     std::vector<Vertex> vertices;
@@ -24,6 +32,7 @@ struct Polygon {
     int face = -1;        ///< which face of that mesh; for jelly cubes which piece; -1: the scene's own
     bool random = false;  ///< made by Scene::random
     bool half = false;    ///< half-transparent: each channel becomes (old >> 1) + (new >> 1)
+    Unrounded unrounded;
 
     friend bool operator==(const Polygon&, const Polygon&) = default;
 };

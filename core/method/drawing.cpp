@@ -81,18 +81,28 @@ private:
 Drawing::Drawing(const Scene& scene, const DrawSettings& settings) : scene_(&scene), settings_(settings) {
     for (std::size_t n = 0; n < scene.polygons.size(); ++n) {
         const std::vector<Vertex>& vertices = scene.polygons[n].vertices;
+        const std::vector<glm::dvec2>& places = scene.polygons[n].unrounded.corners;
         if (vertices.size() < 3) continue;
         has_half_ = has_half_ || scene.polygons[n].half;
+        if (!places.empty()) unrounded_.resize(corners_.size());
         if (!settings.method->triangles) {
             shapes_.push_back({static_cast<int>(n), corners_.size(), vertices.size()});
             corners_.insert(corners_.end(), vertices.begin(), vertices.end());
+            unrounded_.insert(unrounded_.end(), places.begin(), places.end());
             continue;
         }
         for (std::size_t k = 2; k < vertices.size(); ++k) {
             shapes_.push_back({static_cast<int>(n), corners_.size(), 3});
             corners_.insert(corners_.end(), {vertices[0], vertices[k - 1], vertices[k]});
+            if (!places.empty()) unrounded_.insert(unrounded_.end(), {places[0], places[k - 1], places[k]});
         }
     }
+}
+
+std::span<const glm::dvec2> Drawing::unrounded(int shape) const {
+    const Shape& s = shapes_[static_cast<std::size_t>(shape)];
+    if (scene_->polygons[static_cast<std::size_t>(s.polygon)].unrounded.corners.empty()) return {};
+    return std::span(unrounded_).subspan(s.first, s.count);
 }
 
 int Drawing::first_shape_of(int polygon) const {
@@ -120,7 +130,10 @@ Job Drawing::job(int shape) const {
             .frame = scene_->framebuffer.rect(),
             .quirks = settings_.quirks,
             .mode = settings_.mode,
-            .shape = shape};
+            .shape = shape,
+            .half = polygon.half,
+            .unrounded = unrounded(shape),
+            .unrounded_light = polygon.unrounded.light};
 }
 
 Fate Drawing::refusal(int shape) const {

@@ -54,10 +54,13 @@ private:
         int polygon = 0;
         std::size_t first = 0, count = 0;  ///< in corners_
     };
+    [[nodiscard]] std::span<const glm::dvec2> unrounded(int shape) const;
+
     const Scene* scene_;
     DrawSettings settings_;
     std::vector<Shape> shapes_;
     std::vector<Vertex> corners_;
+    std::vector<glm::dvec2> unrounded_;  ///< at the same places, of polygons that have them
     bool has_half_ = false;
 };
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "core/geometry/vertex.h"
+#include "core/method/edge_arrays.h"
 #include "core/method/texel.h"
 #include "core/trace/trace.h"
 
@@ -69,6 +70,8 @@ struct EdgeEquations {
     Quirks quirk;
     NumberMode mode;
     Trace trace;
+    std::span<const glm::dvec2> unrounded{};  ///< x and y of the corners, where float32 has lost something of them
+    double unrounded_light = 1;
 
     Fate draw(std::span<const Vertex> triangle, auto&& put) const {
         const Setup s = setup(triangle);
@@ -85,7 +88,7 @@ struct EdgeEquations {
         Setup s;
         trace.stage("delta");
         const Corners p{corner(triangle, 0), corner(triangle, 1), corner(triangle, 2)};
-        s.light = trace("L", Input<T>::from(lightness, mode));
+        s.light = trace("L", Input<T>::from(in_double() ? unrounded_light : lightness, mode));
         s.half = Input<T>::from(quirk.corners ? 0.0F : 0.5F, mode);
         s.delta = trace("Δ", (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y));
         if (s.delta == 0)
@@ -111,12 +114,15 @@ struct EdgeEquations {
 
     Corner corner(std::span<const Vertex> triangle, int n) const {
         Corner c;
-        c.x = trace({"x", n}, Input<T>::from(triangle[n].x, mode));
-        c.y = trace({"y", n}, Input<T>::from(triangle[n].y, mode));
+        c.x = trace({"x", n}, Input<T>::from(in_double() ? unrounded[n].x : triangle[n].x, mode));
+        c.y = trace({"y", n}, Input<T>::from(in_double() ? unrounded[n].y : triangle[n].y, mode));
         c.u = trace({"u", n}, Input<T>::from(triangle[n].u, mode));
         c.v = trace({"v", n}, Input<T>::from(triangle[n].v, mode));
         return c;
     }
+
+    /// As published, a solid's corners are never rounded to float32.
+    bool in_double() const { return quirk.float_pixels && !unrounded.empty(); }
 
     Plane plane(const char* a, const Corners& p, const T& a0, const T& a1, const T& a2, const T& delta) const {
         const T x = trace({a, "_x"}, ((a1 - a0) * (p[2].y - p[0].y) - (a2 - a0) * (p[1].y - p[0].y)) / delta);
@@ -171,10 +177,14 @@ struct EdgeEquations {
         return p;
     }
 
-    Pixel cover(const Setup& s, const Int& i, const Int& j) const {
+    Pixel sample(const Setup& s, const Int& i, const Int& j) const {
         Pixel p;
         p.x = trace("X", T(i) + s.half);
         p.y = trace("Y", T(j) + s.half);
+        return p;
+    }
+    Pixel cover(const Setup& s, const Int& i, const Int& j) const {
+        Pixel p = sample(s, i, j);
         for (int e = 0; e < 3; ++e) {
             const Side& side = s.side[e];
             p.E[e] = trace(Name::side("E", e), affine(p, side.x, side.y, side.k));
@@ -255,6 +265,8 @@ struct EdgeEquations {
 
     /// The source's own shape: whole arrays, one pass after the other. Each pass hands its results to the next.
     Fate draw_arrays(const Setup& s, auto&& put) const {
+        if constexpr (!Trace::kVisits)
+            if (edge_arrays::fit(s.box)) return edge_arrays::draw(*this, s, put);
         trace.stage("mask");
         for (const Int j : trace.each('y', s.box.y0, s.box.y1))
             for (const Int i : trace.each('x', s.box.x0, s.box.x1))

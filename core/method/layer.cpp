@@ -56,59 +56,21 @@ private:
     int open_count_ = 0;
 };
 
-/// The part of the window that the shape's samples may lie in, from a cell of the window on.
-[[nodiscard]] Window part_of(const Window& window, const Rect& reach) {
-    Rect rect = intersection(reach, window.rect);
-    if (rect.empty()) return {{}, window.stride};
-    rect.x0 -= (rect.x0 - window.rect.x0) % window.stride;
-    rect.y0 -= (rect.y0 - window.rect.y0) % window.stride;
-    return {rect, window.stride};
-}
-
-/// A half-transparent shape of a corrected method, which writes no pixel twice: blends all of it at once.
-void blend_shape(const Drawing& drawing, int shape, Layer& layer) {
-    if (drawing.refusal(shape) != Fate::written) return;
-    const Window &window = layer.window(), part = part_of(window, drawing.reach(shape));
-    if (part.rect.empty()) return;
-    Layer own(part);
-    const DrawSettings& settings = drawing.settings();
-    settings.method->paint(settings.format, drawing.job(shape), part, shape, own);
-    const Rgb clear = drawing.scene().framebuffer.clear;
-    const int left = (part.rect.x0 - window.rect.x0) / window.stride,
-              top = (part.rect.y0 - window.rect.y0) / window.stride;
-    for (int y = 0; y < own.cells().height(); ++y) {
-        const LayerCell* from = &own.cells().at(0, y);
-        LayerCell* to = &layer.cells().at(left, top + y);
-        for (int x = 0; x < own.cells().width(); ++x, ++from, ++to)
-            if (from->shape >= 0) *to = {blended(to->shape < 0 ? clear : to->colour, from->colour, true), shape};
-    }
-}
-
-/// Shapes in their order, as a depth test needs them, and those that blend with what stands there.
-void draw_forward(const Drawing& drawing, int last, Layer& layer) {
+/// Shapes in their order, as a depth test needs them.
+void draw_by_depth(const Drawing& drawing, int last, Layer& layer) {
     const Window& window = layer.window();
     const Rgb clear = drawing.scene().framebuffer.clear;
-    const auto put = [&](int shape, const Sample& s) {
+    each_sample(drawing, 0, last, window, [&](int shape, const Sample& s) {
         if (s.fate != Fate::written) return;
         LayerCell& cell = layer.cells().at((static_cast<int>(s.x) - window.rect.x0) / window.stride,
                                            (static_cast<int>(s.y) - window.rect.y0) / window.stride);
         cell = {blended(cell.shape < 0 ? clear : cell.colour, s.colour, drawing.is_half(shape)), shape};
-    };
-    if (drawing.scene().depth == Depth::less) return each_sample(drawing, 0, last, window, put);
-    const DrawSettings& settings = drawing.settings();
-    for (int n = 0; n < last; ++n) {
-        if (drawing.is_half(n) && settings.quirks == 0 && !settings.method->scatters)
-            blend_shape(drawing, n, layer);
-        else if (drawing.is_half(n))
-            each_sample(drawing, n, n + 1, window, put);
-        else if (drawing.refusal(n) == Fate::written && drawing.touches(n, window.rect))
-            settings.method->paint(settings.format, drawing.job(n), window, n, layer);
-    }
+    });
 }
 
 }  // namespace
 
-Layer::Layer(const Window& window) : window_(window) {
+Layer::Layer(const Window& window, Rgb clear) : window_(window), clear_(clear) {
     const auto cells_of = [&](int pixels, std::int32_t scale, std::vector<std::int32_t>& cells) {
         cells.assign(static_cast<std::size_t>(pixels), -1);
         std::int32_t count = 0;
@@ -119,12 +81,18 @@ Layer::Layer(const Window& window) : window_(window) {
     cells_ = {columns, cells_of(window.rect.height(), columns, row_)};
 }
 
+void draw_over(const Drawing& drawing, int first, int last, Layer& layer) {
+    TEXELSCOPE_ASSERT(drawing.scene().depth == Depth::off);
+    const DrawSettings& settings = drawing.settings();
+    for (int n = first; n < last; ++n)
+        if (drawing.refusal(n) == Fate::written && drawing.touches(n, layer.window().rect))
+            settings.method->paint(settings.format, drawing.job(n), layer.window(), n, layer);
+}
+
 Layer layer_of(const Drawing& drawing, int last, const Window& window, const Layer* more) {
-    Layer layer(window);
-    if (drawing.scene().depth == Depth::less || drawing.has_half()) {
-        draw_forward(drawing, last, layer);
-        return layer;
-    }
+    Layer layer(window, drawing.scene().framebuffer.clear);
+    if (drawing.scene().depth == Depth::less) return draw_by_depth(drawing, last, layer), layer;
+    if (drawing.has_half()) return draw_over(drawing, 0, last, layer), layer;
     // What no later shape wrote stands there already; a later one's cells are drawn again.
     constexpr std::int32_t kBlank = 1 << 30;
     if (more != nullptr) {

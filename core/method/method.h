@@ -53,7 +53,10 @@ struct Job {
     Rect frame;
     QuirkSet quirks = 0;
     NumberMode mode;
-    int shape = 0;  ///< its number in the drawing
+    int shape = 0;                          ///< its number in the drawing
+    bool half = false;                      ///< half-transparent: a layer blends its samples
+    std::span<const glm::dvec2> unrounded;  ///< as Unrounded::corners, one for each of `corners`; or empty
+    double unrounded_light = 1;             ///< the same of `light`; used where `unrounded` is not empty
 };
 
 /// What a method says of one sample, in plain numbers.
@@ -79,7 +82,8 @@ struct Method {
 
     /// Draws into `picture` (its top left at job.frame's); the plain loop, nobody watching.
     Fate (*render)(NumberFormat, const Job&, Image& picture);
-    /// Adds the written samples of a part of the layer's window, under those of later shapes.
+    /// Adds the written samples of a part of the layer's window, under those of later shapes; a half-transparent
+    /// shape's blended with what stands there.
     Fate (*paint)(NumberFormat, const Job&, const Window& part, int shape, Layer&);
     /// Every sample visited inside the window, rejected ones too, in drawing order.
     Fate (*samples)(NumberFormat, const Job&, const Window&, const Put&);

@@ -21,6 +21,8 @@ template <template <class, class> class M, class T, class Trace, std::size_t N>
     M<T, Trace> method{job.frame, *job.texture, job.light, job.cull_back, quirks_from(job.quirks, fields),
                        job.mode,  trace};
     if constexpr (requires { method.shape; }) method.shape = job.shape;
+    if constexpr (requires { method.unrounded; })
+        method.unrounded = job.unrounded, method.unrounded_light = job.unrounded_light;
     return method;
 }
 
@@ -94,11 +96,24 @@ Fate render(NumberFormat format, const Job& job, Image& picture) {
     };
 }
 
+template <class Method>
+[[nodiscard]] Fate paint_with(const Method& method, const Job& job, int shape, Layer& layer) {
+    return method.draw(job.corners, layer.put(shape, job.half, [](const auto& texel) { return colour_of(texel); }));
+}
+/// As draw_corrected, and for the same reason; but for the light, as the faces of solids have one.
+template <template <class, class> class M, class T>
+[[gnu::flatten]] Fate paint_corrected(const Job& job, const Window& part, int shape, Layer& layer) {
+    const M<T, WindowTrace> method{job.frame, *job.texture, job.light, job.cull_back, {}, job.mode, WindowTrace(part)};
+    return paint_with(method, job, shape, layer);
+}
+
 template <template <class, class> class M, auto fields>
 Fate paint(NumberFormat format, const Job& job, const Window& part, int shape, Layer& layer) {
     return with_type(format, [&](auto type) {
-        const auto method = make<M, decltype(type)>(job, fields, WindowTrace(part));
-        return method.draw(job.corners, layer.put(shape, [](const auto& texel) { return colour_of(texel); }));
+        using T = decltype(type);
+        if constexpr (std::floating_point<T>)
+            if (job.quirks == 0) return paint_corrected<M, T>(job, part, shape, layer);
+        return paint_with(make<M, T>(job, fields, WindowTrace(part)), job, shape, layer);
     });
 }
 

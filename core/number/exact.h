@@ -105,7 +105,7 @@ private:
 
 template <>
 struct Input<Exact> {
-    [[nodiscard]] static Exact from(float x, NumberMode) { return Exact::from(static_cast<double>(x)); }
+    [[nodiscard]] static Exact from(double x, NumberMode) { return Exact::from(x); }
 };
 
 static_assert(Real<Exact>);

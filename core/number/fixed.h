@@ -132,9 +132,7 @@ private:
 
 template <int I, int F>
 struct Input<Fixed<I, F>> {
-    [[nodiscard]] static Fixed<I, F> from(float x, NumberMode mode) {
-        return Fixed<I, F>::from(static_cast<double>(x), mode);
-    }
+    [[nodiscard]] static Fixed<I, F> from(double x, NumberMode mode) { return Fixed<I, F>::from(x, mode); }
 };
 
 using Fixed16 = Fixed<16, 16>;

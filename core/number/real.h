@@ -87,7 +87,7 @@ template <class T>
 struct Input;
 template <std::floating_point T>
 struct Input<T> {
-    [[nodiscard]] static constexpr T from(float x, NumberMode) noexcept { return x; }
+    [[nodiscard]] static constexpr T from(double x, NumberMode) noexcept { return static_cast<T>(x); }
 };
 
 /// The nearest double, for pictures and tables.

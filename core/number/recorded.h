@@ -218,7 +218,7 @@ struct NumberTypes<Recorded<V>> {
 };
 template <class V>
 struct Input<Recorded<V>> {
-    [[nodiscard]] static Recorded<V> from(float x, NumberMode mode) { return Recorded<V>(Input<V>::from(x, mode)); }
+    [[nodiscard]] static Recorded<V> from(double x, NumberMode mode) { return Recorded<V>(Input<V>::from(x, mode)); }
 };
 
 static_assert(Real<Recorded<double>> && Real<Recorded<float>> && Real<Recorded<Fixed16>> && Real<Recorded<Exact>>);

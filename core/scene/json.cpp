@@ -15,6 +15,7 @@
 #include "core/image/frames.h"
 #include "core/image/load.h"
 #include "core/image/palette.h"
+#include "core/scene/jelly_quirk.h"
 #include "core/scene/mesh_reader.h"
 #include "core/scene/names.h"
 #include "core/scene/place.h"
@@ -59,7 +60,7 @@ private:
     }
 
     void read_root(const JsonValue& root) {
-        std::optional<JsonValue> framebuffer, textures, polygons, meshes, camera, random;
+        std::optional<JsonValue> framebuffer, textures, polygons, meshes, quirks, camera, random;
         Scene& scene = loaded_.scene;
         read_.object(
             root, "a scene", required("texelscope", [](const JsonValue&) {}),
@@ -72,6 +73,7 @@ private:
             optional("textures", [&](const JsonValue& value) { textures = value; }),
             optional("polygons", [&](const JsonValue& value) { polygons = value; }),
             optional("meshes", [&](const JsonValue& value) { meshes = value; }),
+            optional("quirks", [&](const JsonValue& value) { quirks = value; }),
             optional("camera", [&](const JsonValue& value) { camera = value; }),
             optional("random", [&](const JsonValue& value) { random = value; }));
         if (framebuffer && !read_.failed()) read_framebuffer(*framebuffer);
@@ -81,11 +83,23 @@ private:
                                [this](const JsonValue& v, std::string_view what) { return find_texture(v, what); });
         if (camera && !read_.failed()) scene.camera = mesh_reader.camera(*camera);
         if (meshes && !read_.failed()) scene.meshes = mesh_reader.meshes(*meshes);
+        if (quirks && !read_.failed()) read_quirks(*quirks);
         if (random && !read_.failed()) scene.random = read_random(*random);
         if (read_.failed()) return;
         if (scene.textures.empty() && !(scene.polygons.empty() && scene.meshes.empty() && !scene.random)) add_grey();
         place_meshes(scene);
         place_random(scene);
+    }
+
+    /// Those of geometry; the methods' own are no part of a scene.
+    void read_quirks(const JsonValue& list) {
+        if (list.kind() != JsonKind::array) return read_.wrong(list, "quirks", "a list");
+        constexpr std::array kFields{kJellyQuirk.field};
+        for (const JsonValue value : list) {
+            static_cast<void>(read_.choice(value, "a quirk of a scene", kFields));
+            if (read_.failed()) return;
+            loaded_.scene.size_twice = true;
+        }
     }
 
     RandomTriangles read_random(const JsonValue& value) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/scene/jelly_quirk.h"
 #include "core/scene/json.h"
 #include "core/scene/names.h"
 
@@ -143,6 +144,7 @@ std::string scene_to_json(const Scene& scene) {
         before = ",\n    ";
     }
     if (!scene.meshes.empty()) out += " ]";
+    if (scene.size_twice) out += ",\n  \"quirks\": [" + json_text(kJellyQuirk.field) + "]";
     write_camera(scene.camera, out);
     if (scene.random)
         fmt::format_to(Out(out), ",\n  \"random\": {{ \"triangles\": {}, \"size\": {}, \"seed\": {} }}",

@@ -53,7 +53,7 @@ public:
         if (placement.shape == Shape3d::obj) {
             if (placement.model) place_mesh(index, *placement.model, rotation(placement.rotate), {});
         } else if (placement.shape == Shape3d::jelly_cubes) {
-            const JellyCubes jelly = jelly_cubes_of(placement);
+            const JellyCubes jelly = jelly_cubes_of(placement, scene_.size_twice);
             place_mesh(index, mesh_of(jelly), glm::dmat3(1), jelly.pieces);
         } else {
             place_mesh(index, mesh_of(placement.shape), rotation(placement.rotate), {});
@@ -99,15 +99,18 @@ private:
         const double length = glm::length(area);
         PlacedFace placed{
             .mesh = static_cast<int>(index), .face = static_cast<int>(n), .n_z = length > 0 ? area.z / length : 0};
-        placed.light = placement.light ? *placement.light : static_cast<float>(0.5 + 0.49 * std::fabs(placed.n_z));
-        placed.depth = middle(vertices, face).z;
+        const double light = placement.light ? double{*placement.light} : 0.5 + 0.49 * std::fabs(placed.n_z);
+        placed.light = static_cast<float>(light);
+        placed.depth = placement.shape == Shape3d::torus ? vertices[static_cast<std::size_t>(face[0].vertex)].z
+                                                         : middle(vertices, face).z;
         if (texture >= 0 && texture < static_cast<int>(scene_.textures.size())) {
-            Polygon polygon{.vertices = project(vertices, face, *scene_.textures[static_cast<std::size_t>(texture)]),
-                            .texture = texture,
+            Polygon polygon{.texture = texture,
                             .light = placed.light,
                             .mesh = placed.mesh,
                             .face = placed.face,
                             .half = placement.half};
+            polygon.unrounded.light = light;
+            project(vertices, face, *scene_.textures[static_cast<std::size_t>(texture)], polygon);
             if (is_drawable(polygon)) {
                 placed.doubled_area = doubled_area(polygon.vertices);
                 if (scene_.cull == Cull::none || placed.doubled_area > 0)
@@ -117,23 +120,22 @@ private:
         faces_.push_back(placed);
     }
 
-    /// The corners of the face's part beyond the near plane; none where there is no such part.
-    std::vector<Vertex> project(std::span<const glm::dvec3> vertices, const MeshFace& face,
-                                const Texture& texture) const {
+    /// Adds the corners of the face's part beyond the near plane; none where there is no such part.
+    void project(std::span<const glm::dvec3> vertices, const MeshFace& face, const Texture& texture,
+                 Polygon& polygon) const {
         ClipRing ring;
         for (const FaceCorner& corner : face)
             ring.push_back(clip_vertex(to_clip(view_, vertices[static_cast<std::size_t>(corner.vertex)]), corner.uv));
         const bool whole =
             std::all_of(ring.begin(), ring.end(), [](const ClipVertex& vertex) { return vertex.position.z >= 0; });
         if (!whole) ring = clip_near(view_, ring).inside;
-        std::vector<Vertex> corners;
         for (const ClipVertex& vertex : ring) {
             Vertex corner = to_screen(view_, vertex.position);
             corner.u = static_cast<float>(vertex.uv.x * texture.width());
             corner.v = static_cast<float>(vertex.uv.y * texture.height());
-            corners.push_back(corner);
+            polygon.vertices.push_back(corner);
+            polygon.unrounded.corners.push_back(place_on_screen(view_, vertex.position));
         }
-        return corners;
     }
 
     Scene& scene_;
@@ -156,8 +158,8 @@ Viewpoint view_of(const Scene& scene) {
             .near = scene.camera.near > 0 ? double{scene.camera.near} : nearest / 16};
 }
 
-JellyCubes jelly_cubes_of(const MeshPlacement& placement) {
-    return jelly_cubes(1, placement.ratio, rotation(placement.rotate), rotation(placement.rotate2));
+JellyCubes jelly_cubes_of(const MeshPlacement& placement, bool size_twice) {
+    return jelly_cubes(1, placement.ratio, rotation(placement.rotate), rotation(placement.rotate2), size_twice);
 }
 
 glm::vec3 turned_angles(const glm::vec3& degrees, int axis, double by) {

@@ -24,7 +24,7 @@ struct PlacedFace {
         0;           ///< on the screen [px^2], positive for a front face; 0 if wholly nearer than the near plane
     double n_z = 0;  ///< z of the unit normal: -1 looks straight at the viewer's plane, 1 away from it
     float light = 1;
-    double depth = 0;  ///< mean z of its corners, before the cut
+    double depth = 0;  ///< mean z of its corners, before the cut; of a torus, as its source has it, z of the first
 };
 
 /// The camera of a scene: its focal length, else the framebuffer's width; its near plane, else a 16th of the
@@ -33,7 +33,7 @@ struct PlacedFace {
 [[nodiscard]] Viewpoint view_of(const Scene& scene);
 
 /// The two cubes before they are scaled and moved: half-sizes 1 and `ratio`, each turned.
-[[nodiscard]] JellyCubes jelly_cubes_of(const MeshPlacement& placement);
+[[nodiscard]] JellyCubes jelly_cubes_of(const MeshPlacement& placement, bool size_twice);
 
 /// The angles of a mesh that is turned further about one of the world's axes [0, 2], in the sense of rotation():
 /// rounded to hundredths of a degree, so that they are short in writing and ten thousand turns still add no shear.

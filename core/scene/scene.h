@@ -69,6 +69,7 @@ struct Scene {
     std::vector<Animation> animations;
     std::vector<Polygon> polygons;  ///< the scene's own, then those made from `meshes`
     std::vector<MeshPlacement> meshes;
+    bool size_twice = false;  ///< quirk of all jelly cubes (core/scene/jelly_quirk.h)
     Camera camera;
     std::optional<RandomTriangles> random;  ///< triangles of chance, after all other polygons
 };

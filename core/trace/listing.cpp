@@ -93,6 +93,11 @@ Listing load_listing(std::string_view path) {
     return listing;
 }
 
+std::string code_at(const Listing& listing, int line) {
+    const std::string& code = listing.lines[static_cast<std::size_t>(line) - 1];
+    return code.substr(std::min(code.find_first_not_of(' '), code.size()));
+}
+
 int line_with(const Listing& listing, std::string_view text) {
     for (std::size_t n = 0; n < listing.lines.size(); ++n) {
         if (listing.lines[n].find(text) != std::string::npos) return static_cast<int>(n) + 1;

@@ -23,6 +23,8 @@ struct Listing {
 
 /// The lines of an embedded file; empty where there is none of that path.
 [[nodiscard]] Listing load_listing(std::string_view path);
+/// Line `line`, from 1, without the spaces before it. Requires that there is one.
+[[nodiscard]] std::string code_at(const Listing& listing, int line);
 /// The first line, from 1, on which `text` stands; 0 where there is none.
 [[nodiscard]] int line_with(const Listing& listing, std::string_view text);
 /// Source text with each trace("name", value) folded to its value: plain mathematics. A statement that only names a

@@ -73,6 +73,7 @@ private:
 };
 
 struct PartialTrace {
+    static constexpr bool kVisits = true;
     WindowTrace window;
     Progress* progress;
 

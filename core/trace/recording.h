@@ -116,6 +116,7 @@ private:
 
 /// The trace that writes to a Recording.
 struct Listener {
+    static constexpr bool kVisits = true;
     Recording* recording;
 
     template <class V>

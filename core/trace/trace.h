@@ -63,6 +63,8 @@ private:
 
 /// Nobody watches.
 struct NoTrace {
+    /// Whether a run may be asked for one unit alone, so that none may count on what units before it have left behind.
+    static constexpr bool kVisits = false;
     template <class V>
     constexpr V operator()(Name, V value, int = 0) const {
         return value;

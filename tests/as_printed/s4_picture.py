@@ -4,17 +4,16 @@ diagonals, which both triangles of a quad write. Float64 in NumPy, written from 
 import argparse
 import json
 import pathlib
-import struct
 import subprocess
 import sys
 import tempfile
-import zlib
 from collections import Counter
 
 import numpy as np
 
 from barycentric import samples, tinted
 from comparison import rows_drawn
+from pictures import decoded
 
 WIDTH, HEIGHT = 1600, 600
 BACKGROUND = (180, 179, 210)
@@ -62,37 +61,6 @@ def checker():
     columns, rows = np.meshgrid(range(CHECKS), range(CHECKS))
     grey = ((columns ^ rows) & 1) * 255
     return b"P6 8 8 255\n" + np.repeat(grey.astype(np.uint8).ravel(), 3).tobytes()
-
-
-def decoded(file):
-    """The pixels of a PNG of 8 bits a channel, red, green, blue."""
-    at, data = 8, b""
-    while at < len(file):
-        length, kind = struct.unpack_from(">I4s", file, at)
-        body = file[at + 8 : at + 8 + length]
-        if kind == b"IHDR":
-            width, height, depth, colour = struct.unpack_from(">IIBB", body)
-            assert (depth, colour) == (8, 2), "not 8 bits of red, green and blue"
-        data += body if kind == b"IDAT" else b""
-        at += length + 12
-    lines = np.frombuffer(zlib.decompress(data), np.uint8).reshape(height, 1 + 3 * width)
-    picture = np.zeros((height + 1, width + 1, 3), int)  # with a row and a column of zeros before the first
-    for y, line in enumerate(lines, 1):
-        filtered, row, above = line[1:].reshape(width, 3).astype(int), picture[y], picture[y - 1]
-        if line[0] == 0 or line[0] == 2:
-            row[1:] = filtered + (above[1:] if line[0] == 2 else 0)
-        elif line[0] == 1:
-            row[1:] = np.cumsum(filtered, axis=0)
-        for x in range(1, width + 1) if line[0] > 2 else ():
-            a, b, c = row[x - 1], above[x], above[x - 1]
-            if line[0] == 3:
-                row[x] = (filtered[x - 1] + (a + b) // 2) & 255
-            else:  # Paeth: whichever of the three is nearest to a + b - c
-                to_a, to_b, to_c = abs(b - c), abs(a - c), abs(a + b - 2 * c)
-                near = np.where((to_a <= to_b) & (to_a <= to_c), a, np.where(to_b <= to_c, b, c))
-                row[x] = (filtered[x - 1] + near) & 255
-        row &= 255
-    return picture[1:, 1:].astype(np.uint8)
 
 
 def reduced(picture):

@@ -58,7 +58,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--texelscope", required=True)
     parser.add_argument("--seed", type=int, default=1995)
-    parser.add_argument("--count", type=int, default=500, help="scenes for each equality")
+    parser.add_argument("--count", type=int, default=1000, help="scenes for each equality")
     args = parser.parse_args()
     print(f"seed {args.seed}, {args.count} scenes each")
     rng, differing = random.Random(args.seed), 0

@@ -99,6 +99,21 @@ TEST(Lessons, EveryStepExistsAndEveryPinPointsAtSomething) {
     }
 }
 
+TEST(Lessons, TheQuirkOfJellyCubesChangesPixelsWhereABeatShowsIt) {
+    int shown = 0;
+    for (const Lesson& lesson : lessons()) {
+        at_each_beat(lesson, document_of(lesson), [&](Store& store, const Beat& beat) {
+            if (!store.derived().scene().size_twice) return;
+            ++shown;
+            const Image with = store.derived().final_picture();
+            store.dispatch(action::SetSizeTwice{false});
+            EXPECT_NE(store.derived().final_picture(), with) << where(lesson, beat);
+            store.dispatch(action::SetSizeTwice{true});
+        });
+    }
+    EXPECT_GT(shown, 0);
+}
+
 TEST(Lessons, EveryQuirkChangesAPixelAndItsGuiltyLineIsPinned) {
     for (const Lesson& lesson : lessons()) {
         const auto document = document_of(lesson);

@@ -67,6 +67,27 @@ TEST_F(KeymapTest, WhileTextIsTypedLettersDoNothing) {
     EXPECT_TRUE(press({Key::right}, {}, true).actions.empty());
 }
 
+TEST_F(KeymapTest, WExchangesArrayPassesAndPixelLoop) {
+    const QuirkSet before = store.state().work.quirks;
+    const auto w = only<action::SetQuirk>(press({Key::w}));
+    EXPECT_EQ(store.derived().method().quirks[static_cast<std::size_t>(w.index)].field, "arrays");
+    EXPECT_TRUE(w.on);
+    store.dispatch(w);
+    EXPECT_NE(store.state().work.quirks, before);
+    const auto back = only<action::SetQuirk>(press({Key::w}));
+    EXPECT_EQ(back.index, w.index);
+    EXPECT_FALSE(back.on);
+    store.dispatch(action::Undo{});
+    EXPECT_EQ(store.state().work.quirks, before);
+}
+
+TEST_F(KeymapTest, WSaysSoWhereTheMethodHasNoArrays) {
+    store.dispatch(action::SetMethod{"sections"});
+    const auto said = only<action::Say>(press({Key::w}));
+    EXPECT_NE(said.message.text.find("no array passes"), std::string::npos);
+    EXPECT_FALSE(said.message.error);
+}
+
 TEST_F(KeymapTest, SingleLettersCanBeSwitchedOff) {
     Look look;
     look.letter_keys = false;

@@ -15,6 +15,7 @@ State changed_state() {
     store.dispatch(action::MoveVertex{{0, 1, false}, {20.0625F, 1.0F / 3}, 1});
     store.dispatch(action::MoveVertex{{0, 3, true}, {-7.1e-9F, 1e6F}, 2});
     store.dispatch(action::SetQuirk{0, true});
+    store.dispatch(action::SetSizeTwice{true});
     store.dispatch(action::StepTo{*parse_path("t0/s5/y9/x12/e3")});
     State state = store.state();
     state.work.answers.push_back({.beat = 2,

@@ -89,6 +89,20 @@ TEST_F(SolidsTest, ADragIsOneUndoEntryAndResetTakesAllBack) {
     EXPECT_EQ(store.state().work, before);
 }
 
+TEST_F(SolidsTest, TheQuirkOfJellyCubesIsASwitchThatUndoTakesBack) {
+    store.dispatch(action::SetRatio{1, 0.75F, 0});
+    const std::vector<Polygon> right = store.derived().scene().polygons;
+    store.dispatch(action::SetSizeTwice{true});
+    EXPECT_TRUE(store.derived().scene().size_twice);
+    EXPECT_NE(store.derived().scene().polygons, right);
+    store.dispatch(action::ChooseTurning{{1}});
+    ASSERT_NE(store.derived().jelly(), nullptr);
+    EXPECT_EQ(store.derived().faces().size(), 6 + store.derived().jelly()->pieces.size());
+    store.dispatch(action::Undo{});
+    EXPECT_FALSE(store.derived().scene().size_twice);
+    EXPECT_EQ(store.derived().scene().polygons, right);
+}
+
 TEST_F(SolidsTest, TurningMakesThePolygonsAnew) {
     store.dispatch(action::Turn{{0}, 2, 15, 0});
     Scene expected = solids_document()->scene;
@@ -225,7 +239,44 @@ TEST_F(SolidsTest, ThePictureOfHalfTransparentPiecesIsTheSameAllOver) {
             ASSERT_EQ(canvas.cells.data()[i].now, picture.data()[i]) << n << ", pixel " << i;
             ASSERT_EQ(canvas.cells.data()[i].later, picture.data()[i]) << n << ", pixel " << i;
         }
+        // From any shape on the rest is drawn over what stands there.
+        store.dispatch(action::StepTo{Path{{{'t', store.derived().drawing().shape_count() * n / 6}}}});
+        store.dispatch(action::Turn{{1}, 0, 3, 0});
+        const Image& again = store.derived().final_picture();
+        const CanvasPicture& now = store.derived().canvas({store.derived().scene().framebuffer.rect(), 1});
+        for (std::size_t i = 0; i < again.size(); ++i)
+            ASSERT_EQ(now.cells.data()[i].later, again.data()[i]) << n << ", pixel " << i;
     }
+}
+
+/// Of a scene without a lesson; how long a frame takes is for the window alone.
+TEST(SolidsScreen, AnySceneWithASolidShowsItAndOnlyAWindowItsTime) {
+    for (const bool timed : {false, true}) {
+        auto app = Headless::start(opened(solids_document(), State{}), {1280, 720}, {.timed = timed});
+        ASSERT_TRUE(app) << app.error().text();
+        (*app)->settle();
+        const ui::FrameReport& report = (*app)->shell().report();
+        EXPECT_TRUE(std::any_of(report.controls.begin(), report.controls.end(),
+                                [](const ui::ControlRecord& c) { return c.name == "solids/focal"; }));
+        EXPECT_EQ(std::any_of(report.texts.begin(), report.texts.end(),
+                              [](const ui::TextRecord& t) { return t.text.find(" ms") != std::string::npos; }),
+                  timed);
+    }
+}
+
+TEST(SolidsScreen, TheCutViewNamesTheLineOfItsQuirk) {
+    auto app = Headless::start(*state_of("16-jelly-cubes", {.reduced_motion = true}), {1280, 720});
+    ASSERT_TRUE(app) << app.error().text();
+    (*app)->settle();
+    const auto names_it = [&] {
+        std::string all;
+        for (const ui::TextRecord& t : (*app)->shell().report().texts) all += t.text;
+        return all.find("size_twice?1/own") != std::string::npos;
+    };
+    EXPECT_FALSE(names_it());
+    (*app)->store().dispatch(action::SetSizeTwice{true});
+    (*app)->settle();
+    EXPECT_TRUE(names_it());
 }
 
 /// The right button, pressed on the cube, dragged and let go.

@@ -50,9 +50,12 @@ TEST(JellyFrame, AgreesWithTheGeneralCut) {
     for (int n = 0; n < 300; ++n) {
         const Turns turns = random_turns(random);
         const double half = 0.5 + static_cast<double>(random()) * 2e-10;
-        const JellyCubes cubes = jelly_cubes(1, half, turns.big, turns.small);
+        const bool size_twice = n % 3 == 0;
+        const JellyCubes cubes = jelly_cubes(1, half, turns.big, turns.small, size_twice);
+        const int guest = half > 1 ? 0 : 1;  // the quirk is about the smaller one
         for (int cube = 0; cube < 2; ++cube) {
-            for (const JellyCorner& corner : jelly_corners(half, turns.big, turns.small, cube)) {
+            const bool twice = size_twice && cube == guest;
+            for (const JellyCorner& corner : jelly_corners(half, turns.big, turns.small, cube, twice)) {
                 if (std::fabs(corner.reach - 1) < 1e-6) continue;
                 bool outside = false;
                 for (const JellyPiece& piece : cubes.pieces) {
@@ -67,6 +70,20 @@ TEST(JellyFrame, AgreesWithTheGeneralCut) {
             }
         }
     }
+}
+
+/// A corner at 0.7 * sqrt 3 = 1.21 of the big one's half-size; times 0.7 it is at 0.85, and nothing is cut.
+TEST(JellyFrame, ScaledTwiceACornerThatSticksOutCountsAsInside) {
+    const Turns turns{glm::dmat3(1), rotation({35.264389682754654, 0, 45})};  // its diagonal along y
+    double reach = 0, twice = 0;
+    for (const JellyCorner& corner : jelly_corners(0.7, turns.big, turns.small, 1))
+        reach = std::max(reach, corner.reach);
+    for (const JellyCorner& corner : jelly_corners(0.7, turns.big, turns.small, 1, true)) {
+        twice = std::max(twice, corner.reach);
+        EXPECT_FALSE(corner.outside);
+    }
+    EXPECT_NEAR(reach, 0.7 * std::sqrt(3.0), 1e-9);
+    EXPECT_NEAR(twice, 0.7 * 0.7 * std::sqrt(3.0), 1e-9);
 }
 
 TEST(JellyFrame, WeightsGoByTheLengthOnTheOtherSide) {

@@ -45,5 +45,11 @@ TEST(Snap, PolygonKeepsAllButXAndY) {
     EXPECT_EQ(polygon, (Polygon{.vertices = {expected, expected, expected}, .texture = 2, .light = 0.3F}));
 }
 
+TEST(Snap, NothingOfASolidsCornersIsKeptBeside) {
+    Polygon polygon{.vertices = {{.x = 1.3F}, {.x = 2.6F}, {.x = 3.5F}}};
+    polygon.unrounded.corners = {{1.3, 0}, {2.6, 0}, {3.5, 0}};
+    EXPECT_TRUE(snapped(polygon, 0).unrounded.corners.empty());
+}
+
 }  // namespace
 }  // namespace texelscope

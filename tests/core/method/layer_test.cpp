@@ -47,6 +47,22 @@ TEST(Layer, EqualsDrawingEachShapeInItsOrder) {
     }
 }
 
+TEST(Layer, DrawingOnOverSomeShapesGivesAllOfThem) {
+    for (const laws::Case& c : laws::every_case()) {
+        for (unsigned seed = 0; seed < 6; ++seed) {
+            laws::Dice dice(seed);
+            const Scene scene = laws::with_half(laws::random_scene(seed), seed);
+            const Drawing drawing(scene, c.settings);
+            const Window window = random_window(dice, scene.framebuffer.rect());
+            const int first = dice.whole(0, drawing.shape_count());
+            Layer layer = layer_of(drawing, first, window);
+            draw_over(drawing, first, drawing.shape_count(), layer);
+            EXPECT_EQ(layer.cells(), one_after_the_other(drawing, drawing.shape_count(), window))
+                << c.text() << " seed " << seed;
+        }
+    }
+}
+
 /// Larger than a square of cells, with shapes that cover several.
 TEST(Layer, SquaresOfCellsMeetWithoutASeam) {
     for (const Method* method : methods()) {

@@ -77,6 +77,19 @@ TEST(Scene, WrittenAndReadIsTheSame) {
     }
 }
 
+TEST(Scene, QuirkOfJellyCubesIsReadAndWritten) {
+    const std::string cubes = R"("meshes":[{"solid":"jelly-cubes","rotate2":[10,20,30],"move":[0,0,5]}])";
+    const auto without = with(cubes), there = with(cubes + R"(,"quirks":["size_twice"])");
+    ASSERT_TRUE(without && there);
+    EXPECT_FALSE(without->scene.size_twice);
+    EXPECT_TRUE(there->scene.size_twice);
+    EXPECT_NE(there->scene.polygons, without->scene.polygons);
+    const auto again = parse(scene_to_json(there->scene));
+    ASSERT_TRUE(again) << again.error().text();
+    EXPECT_TRUE(again->scene.size_twice);
+    EXPECT_EQ(again->scene.polygons, there->scene.polygons);
+}
+
 TEST(Scene, SignOfZeroSurvivesWriting) {
     const Result<LoadedScene> read = parse(scene_to_json(with_x("-0.0")->scene));
     EXPECT_TRUE(std::signbit(read->scene.polygons[0].vertices[0].x));
@@ -158,8 +171,10 @@ TEST(Scene, EveryErrorNamesItsLineAndWhatWasExpected) {
     const std::vector<std::pair<std::string, std::string>> cases{
         {"\"x\":1",
          "s.json:2: key 'x' of a scene is not known, expected texelscope, framebuffer, depth, cull, textures, "
-         "polygons, meshes, camera or random"},
+         "polygons, meshes, quirks, camera or random"},
         {"\n\"meshes\":{}", "s.json:3: meshes is an object, expected a list"},
+        {"\"quirks\":{}", "s.json:2: quirks is an object, expected a list"},
+        {"\"quirks\":[\n\"corners\"]", "s.json:3: a quirk of a scene is 'corners', expected size_twice"},
         {"\"camera\":[]", "s.json:2: camera is a list of 0, expected an object"},
         {"\"depth\":\n\"more\"", "s.json:3: depth is 'more', expected off or less"},
         {"\"cull\":1", "s.json:2: cull is 1, expected none or back"},

@@ -90,13 +90,36 @@ TEST(Place, FacingOnTheScreenIsFacingInTheWorld) {
             const glm::dvec3 centre =
                 turn * (middle(mesh.vertices, face) * double{scene.meshes[0].scale}) + glm::dvec3(scene.meshes[0].move);
             EXPECT_NEAR(placed.n_z, normal.z, 1e-12);
-            EXPECT_NEAR(placed.depth, centre.z, 1e-12);
+            const glm::dvec3 first =
+                turn * (mesh.vertices[static_cast<std::size_t>(face[0].vertex)] * double{scene.meshes[0].scale}) +
+                glm::dvec3(scene.meshes[0].move);
+            EXPECT_NEAR(placed.depth, shape == Shape3d::torus ? first.z : centre.z, 1e-12);
             EXPECT_NEAR(placed.light, 0.5 + 0.49 * std::fabs(normal.z), 1e-6);
             const double seen = -glm::dot(normal, centre);
             if (std::fabs(seen) > 1e-4) {
                 EXPECT_EQ(placed.doubled_area > 0, seen > 0);
             }
         }
+    }
+}
+
+TEST(Place, WhatFloat32LosesIsKeptBesideIt) {
+    laws::Dice dice(9);
+    for (const Shape3d shape : kSolids) {
+        Scene scene = scene_with(shape, any_angles(dice));
+        place_meshes(scene);
+        int lost = 0;
+        for (const Polygon& polygon : scene.polygons) {
+            const Unrounded& kept = polygon.unrounded;
+            ASSERT_EQ(kept.corners.size(), polygon.vertices.size());
+            EXPECT_EQ(static_cast<float>(kept.light), polygon.light);
+            for (std::size_t n = 0; n < kept.corners.size(); ++n) {
+                EXPECT_EQ(static_cast<float>(kept.corners[n].x), polygon.vertices[n].x);
+                EXPECT_EQ(static_cast<float>(kept.corners[n].y), polygon.vertices[n].y);
+                lost += kept.corners[n].x != double{polygon.vertices[n].x} ? 1 : 0;
+            }
+        }
+        EXPECT_GT(lost, 0);
     }
 }
 
@@ -295,7 +318,7 @@ TEST(Place, JellyCubesInsideEachOtherAreEnteredAsOftenAsTheyAreLeft) {
             Scene scene = scene_with(Shape3d::jelly_cubes, any_angles(dice), Cull::none);
             scene.meshes[0].rotate2 = any_angles(dice), scene.meshes[0].ratio = dice.within(0.5, 1.5);
             place_meshes(scene);
-            const JellyCubes cubes = jelly_cubes_of(scene.meshes[0]);
+            const JellyCubes cubes = jelly_cubes_of(scene.meshes[0], false);
             for (const auto& [place, sum] : covered(scene, settings, [&](const Polygon& polygon) {
                      if (!cubes.pieces[static_cast<std::size_t>(polygon.face)].inside) return 0;
                      return doubled_area(polygon.vertices) > 0 ? 1 : -1;
@@ -308,10 +331,24 @@ TEST(Place, JellyCubesInsideEachOtherAreEnteredAsOftenAsTheyAreLeft) {
 TEST(Place, PiecesOfJellyCubesHaveTheirCubesTexture) {
     Scene scene = scene_with(Shape3d::jelly_cubes, {10, 20, 30}, Cull::none);
     place_meshes(scene);
-    const JellyCubes cubes = jelly_cubes_of(scene.meshes[0]);
+    const JellyCubes cubes = jelly_cubes_of(scene.meshes[0], false);
     ASSERT_EQ(scene.polygons.size(), cubes.pieces.size());
     for (const Polygon& polygon : scene.polygons)
         EXPECT_EQ(polygon.texture, cubes.pieces[static_cast<std::size_t>(polygon.face)].cube);
+}
+
+TEST(Place, ScaledTwiceJellyCubesAreCutOtherwise) {
+    Scene scene = scene_with(Shape3d::jelly_cubes, {10, 20, 30}, Cull::none);
+    scene.meshes[0].rotate2 = {40, 5, 60}, scene.meshes[0].ratio = 0.8F;
+    place_meshes(scene);
+    const std::vector<Polygon> right = scene.polygons;
+    scene.size_twice = true;
+    place_meshes(scene);
+    EXPECT_NE(scene.polygons, right);
+    EXPECT_EQ(scene.polygons.size(), jelly_cubes_of(scene.meshes[0], true).pieces.size());
+    scene.size_twice = false;
+    place_meshes(scene);
+    EXPECT_EQ(scene.polygons, right);
 }
 
 TEST(ShowFrame, GoesRoundBothWays) {
