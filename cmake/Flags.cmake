@@ -14,6 +14,11 @@ if(TEXELSCOPE_SANITIZE)
   add_link_options(-fsanitize=${TEXELSCOPE_SANITIZE})
 endif()
 
+# What the fuzzers are guided by: which branches of the whole program an input took.
+if(TEXELSCOPE_FUZZ)
+  add_compile_options(-fsanitize-coverage=inline-8bit-counters,pc-table)
+endif()
+
 # TEXELSCOPE_ASSERT is on in Debug, sanitizer and test builds; off in what people run.
 if(CMAKE_BUILD_TYPE STREQUAL "Debug" OR TEXELSCOPE_SANITIZE)
   target_compile_definitions(texelscope_flags INTERFACE TEXELSCOPE_ASSERTS=1)
