@@ -60,8 +60,8 @@ std::string broken_law(Headless& app) {
     if (!link || link->work.edits != state.work.edits || link->cursor != state.cursor ||
         link->work.quirks != state.work.quirks || link->work.meshes != state.work.meshes ||
         link->work.focal != state.work.focal || link->work.frame != state.work.frame ||
-        link->work.random != state.work.random || link->other != state.look.other ||
-        link->difference != state.look.difference) {
+        link->work.random != state.work.random || link->work.size_twice != state.work.size_twice ||
+        link->other != state.look.other || link->difference != state.look.difference) {
         return "the state does not survive being copied and pasted";
     }
     if (std::string law = broken_step_law(copy_of(app), 5); !law.empty()) return law;
