@@ -17,7 +17,7 @@ using ui::Area;
 using ui::Face;
 using ui::Role;
 
-constexpr std::string_view kTitle = "Palette", kNote = "{}, {} of 256 colours";
+constexpr std::string_view kTitle = "Palette", kNote = "{}, {} of 256";
 constexpr std::string_view kNone =
     "This texture has no palette: each texel is three bytes of its own. `\"palette\": 256` behind the texture's file "
     "in "
@@ -39,8 +39,8 @@ struct Sheet {
     float cell = 1;
 
     [[nodiscard]] Area place_of(int index) const {
-        return {area.x + static_cast<float>(index % kSide) * cell, area.y + static_cast<float>(index / kSide) * cell,
-                cell, cell};
+        const int column = index % kSide, row = index / kSide;
+        return {area.x + static_cast<float>(column) * cell, area.y + static_cast<float>(row) * cell, cell, cell};
     }
 };
 

@@ -28,7 +28,7 @@ constexpr std::string_view kSize = "size [px]",
                            kSizeTip = "The side of the square that holds a triangle [px]; it covers 11/144 of it";
 constexpr std::string_view kSeed = "seed", kSeedTip = "Another number is another throw of the dice";
 constexpr std::string_view kScene = "{} triangles write {} pixels: {} each",
-                           kPart = "{} triangles write about {} pixels: {} each. Counted: {}";
+                           kPart = "{} triangles write about {} pixels: {} each; {} are counted";
 constexpr std::string_view kCounted = "Operations, counted", kShare = "set-up", kTriangle = "a triangle",
                            kPixel = "a pixel";
 constexpr std::string_view kCountedTip =
@@ -145,8 +145,9 @@ private:
         const int beside = std::clamp(static_cast<int>((inner.w + gap) / (least + gap)), 1, 3);
         const float width = std::floor((inner.w - gap * static_cast<float>(beside - 1)) / static_cast<float>(beside));
         const auto place = [&](int n) {
-            return Area{inner.x + static_cast<float>(n % beside) * (width + gap),
-                        y + static_cast<float>(n / beside) * (high + ui_.px(2)), width, high};
+            const int column = n % beside, line = n / beside;
+            return Area{inner.x + static_cast<float>(column) * (width + gap),
+                        y + static_cast<float>(line) * (high + ui_.px(2)), width, high};
         };
         const int lines = (3 + beside - 1) / beside;
         if (draws_) {

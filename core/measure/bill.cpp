@@ -12,8 +12,8 @@ namespace texelscope {
 namespace {
 
 constexpr std::array<std::string_view, 3> kOthers{"forward", "sampling-1d", "two-pass"};
-constexpr Integer kMostSamples = 2'000'000;  ///< that the counted shapes' boxes may hold: more would hold up a frame
-constexpr std::size_t kMostOfRow = 64;       ///< samples of a row that are counted one by one
+constexpr Integer kMostSamples = 600'000;  ///< that the counted shapes' boxes may hold: more would hold up a frame
+constexpr std::size_t kMostOfRow = 64;     ///< samples of a row that are counted one by one
 
 [[nodiscard]] bool has_fraction(const Value& value) {
     return !std::holds_alternative<bool>(value) && !std::holds_alternative<Integer>(value);

@@ -76,6 +76,17 @@ TEST_F(KeymapTest, SingleLettersCanBeSwitchedOff) {
     EXPECT_EQ(press({Key::z, true}).actions.size(), 1U);
 }
 
+TEST_F(KeymapTest, KShowsThePaletteInTheFirstTabAndHidesIt) {
+    Look look;
+    look.tab = 2;
+    store.dispatch(action::SetLook{look});
+    const Look shown = only<action::SetLook>(press({Key::k})).look;
+    EXPECT_TRUE(shown.palette);
+    EXPECT_EQ(shown.tab, 0);
+    store.dispatch(action::SetLook{shown});
+    EXPECT_FALSE(only<action::SetLook>(press({Key::k})).look.palette);
+}
+
 TEST_F(KeymapTest, VWithAnArrowMovesACornerByOnePixel) {
     const Handle handle{0, 1, false};
     store.dispatch(action::ChooseHandle{handle});

@@ -116,7 +116,7 @@ TEST_F(RaceViews, WithoutRandomTrianglesItSaysWhatToDo) {
 TEST_F(RaceViews, TheCurrentTexelsColourIsNamedWithItsUsers) {
     view = "palette";
     stage.frame(view, area);
-    EXPECT_TRUE(stage.shows("8 of 256 colours"));
+    EXPECT_TRUE(stage.shows("8 of 256"));
     EXPECT_TRUE(stage.shows("Point at a colour"));
     stage.state.pinned = {.kind = Selection::Kind::texel, .at = {3, 4}};
     stage.frame(view, area);
