@@ -23,6 +23,7 @@ struct Derived::Cache {
         JellyCubes cubes;
     };
     std::optional<Jelly> jelly;
+    std::optional<std::vector<Bill>> bills;  ///< of the scene, whatever draws it
     std::unique_ptr<Drawing> drawing;
     std::unique_ptr<Steps> steps;
     Listing listing;
@@ -46,7 +47,6 @@ struct Derived::Cache {
         std::optional<Hits> hits;
         std::optional<ErrorMap> errors;
         std::optional<Difference> difference;
-        std::optional<std::vector<Bill>> bills;
         std::optional<std::pair<const Texture*, PaletteUse>> palette;    ///< of which texture
         std::map<std::pair<int, Integer>, std::vector<TickKind>> rows;   ///< of a shape's stage
         std::optional<std::pair<int, std::vector<WalkedRow>>> walked;    ///< of a shape

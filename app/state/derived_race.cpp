@@ -17,7 +17,7 @@ namespace {
 }  // namespace
 
 const std::vector<Bill>& Derived::bills() const {
-    auto& bills = cache_->of_drawing.bills;
+    auto& bills = cache_->bills;
     if (bills) return *bills;
     bills.emplace();
     if (drawing().shape_count() == 0) return *bills;

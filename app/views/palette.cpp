@@ -17,7 +17,7 @@ using ui::Area;
 using ui::Face;
 using ui::Role;
 
-constexpr std::string_view kTitle = "Palette", kNote = "{}, {} of 256 colours";
+constexpr std::string_view kTitle = "Palette", kNote = "{}, {} of 256";
 constexpr std::string_view kNone =
     "This texture has no palette: each texel is three bytes of its own. `\"palette\": 256` behind the texture's file "
     "in "
@@ -26,6 +26,8 @@ constexpr std::string_view kTip = "**{}**: red {}, green {}, blue {}. {} and {} 
 constexpr std::string_view kIndex = "index {}", kNothing = "Point at a colour, or pin a texel.";
 constexpr std::string_view kTexel = "texel", kTexels = "texels", kPixel = "pixel", kPixels = "pixels";
 constexpr int kSide = 16;
+constexpr float kWide = 1.5F;  ///< width over height from which on the caption stands beside the grid
+constexpr float kLines = 2;    ///< of the caption below the grid
 
 [[nodiscard]] std::string count_of(Integer n, std::string_view one, std::string_view many) {
     return fmt::format("{} {}", n, n == 1 ? one : many);
@@ -37,8 +39,8 @@ struct Sheet {
     float cell = 1;
 
     [[nodiscard]] Area place_of(int index) const {
-        return {area.x + static_cast<float>(index % kSide) * cell, area.y + static_cast<float>(index / kSide) * cell,
-                cell, cell};
+        const int column = index % kSide, row = index / kSide;
+        return {area.x + static_cast<float>(column) * cell, area.y + static_cast<float>(row) * cell, cell, cell};
     }
 };
 
@@ -52,7 +54,9 @@ public:
           caption_(pitch(context.ui, 18, Face::code)) {
         const ui::Font& font = ui_.font(Face::count);
         const float left = std::ceil(ui::text_width(font, "240")) + ui_.px(6), top = std::ceil(font.em * 1.3F);
-        const float width = area.w - left - ui_.px(3), height = area.h - top - 2 * caption_ - ui_.px(4);
+        beside_ = area.w >= kWide * area.h;
+        const float width = area.w - left - ui_.px(3);
+        const float height = area.h - top - ui_.px(4) - (beside_ ? 0 : kLines * caption_);
         sheet_.cell = std::max(2.0F, std::floor(std::min(width, height) / kSide));
         sheet_.area = {area.x + left, area.y + top, kSide * sheet_.cell, kSide * sheet_.cell};
         area_ = area;
@@ -156,39 +160,46 @@ private:
         ui::pixel_ring(ui_.list(), sheet_.place_of(*index), ui_.theme()[Role::now], ui_.theme().outline, width);
     }
 
-    /// The colour looked at, in two lines below the grid: its index and bytes; its users.
+    /// The colour looked at: its index and bytes; its users. In two lines below the grid, or in four beside it.
     void draw_caption() {
         std::optional<int> index = index_at(context_.hover, context_.state.hover);
         if (!index) index = index_at(context_.pinned, context_.state.pinned);
         if (!index) index = index_of(context_.derived.texel());
-        const float y = sheet_.area.bottom() + ui_.px(4), width = area_.right() - area_.x;
+        const float left = beside_ ? sheet_.area.right() + ui_.px(16) : area_.x;
+        const float y = beside_ ? sheet_.area.y : sheet_.area.bottom() + ui_.px(4);
         const auto line = [&](int n, Face face, float x, Role role, std::string_view text) {
             const float top = y + static_cast<float>(n) * caption_;
             return ui_.text_within(face, {x, ui::baseline_at_middle(ui_.font(face), top + caption_ / 2)},
-                                   std::max(0.0F, area_.x + width - x), role, text);
+                                   std::max(0.0F, area_.right() - x), role, text);
         };
         if (!index || *index >= colours()) {
-            line(0, Face::title, area_.x, Role::muted, kNothing);
+            line(0, Face::title, left, Role::muted, kNothing);
             return;
         }
         const auto n = static_cast<std::size_t>(*index);
         const Rgb& c = texture_.palette[n];
         const float side = std::round(caption_ * .6F);
-        ui::fill(ui_.list(), {area_.x, y + std::round((caption_ - side) / 2), side, side},
-                 IM_COL32(c.r, c.g, c.b, 255));
-        float x = area_.x + side + ui_.px(6);
+        ui::fill(ui_.list(), {left, y + std::round((caption_ - side) / 2), side, side}, IM_COL32(c.r, c.g, c.b, 255));
+        float x = left + side + ui_.px(6);
+        const std::string bytes = fmt::format("{} {} {}", c.r, c.g, c.b);
+        const std::string texels = count_of(use_.texels[n], kTexel, kTexels),
+                          pixels = count_of(use_.pixels[n], kPixel, kPixels);
         x += line(0, Face::code, x, Role::text, fmt::format(kIndex, *index)) + ui_.px(10);
-        line(0, Face::code, x, Role::muted, fmt::format("{} {} {}", c.r, c.g, c.b));
-        line(1, Face::code, area_.x, Role::muted,
-             fmt::format("{}, {}", count_of(use_.texels[n], kTexel, kTexels),
-                         count_of(use_.pixels[n], kPixel, kPixels)));
+        if (beside_) {
+            line(1, Face::code, left, Role::muted, bytes);
+            line(2, Face::code, left, Role::muted, texels), line(3, Face::code, left, Role::muted, pixels);
+        } else {
+            line(0, Face::code, x, Role::muted, bytes);
+            line(1, Face::code, left, Role::muted, fmt::format("{}, {}", texels, pixels));
+        }
     }
 
     const ViewContext& context_;
     ui::Ui& ui_;
     const Texture& texture_;
     const PaletteUse& use_;
-    float caption_;
+    float caption_;  ///< height of a line
+    bool beside_ = false;
     Area area_;
     Sheet sheet_;
 };

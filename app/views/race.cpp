@@ -9,6 +9,7 @@
 #include "app/state/lesson_cursor.h"
 #include "app/ui/text.h"
 #include "app/ui/widgets.h"
+#include "app/views/race_table.h"
 #include "app/views/terms.h"
 #include "app/views/tuning.h"
 
@@ -27,7 +28,7 @@ constexpr std::string_view kSize = "size [px]",
                            kSizeTip = "The side of the square that holds a triangle [px]; it covers 11/144 of it";
 constexpr std::string_view kSeed = "seed", kSeedTip = "Another number is another throw of the dice";
 constexpr std::string_view kScene = "{} triangles write {} pixels: {} each",
-                           kPart = "{} triangles write about {} pixels: {} each. Counted: {}";
+                           kPart = "{} triangles write about {} pixels: {} each; {} are counted";
 constexpr std::string_view kCounted = "Operations, counted", kShare = "set-up", kTriangle = "a triangle",
                            kPixel = "a pixel";
 constexpr std::string_view kCountedTip =
@@ -44,9 +45,8 @@ constexpr std::string_view k1995 = "1995, 100 ns a pixel",
                                "A Pentium of 100 MHz at 10 cycles a pixel, for these {} pixels; set-up is not in "
                                "it";
 constexpr std::string_view kSecret = "Your answer first: the numbers follow.";
-constexpr std::array<std::string_view, 3> kStages{"set-up", "rows", "pixels"};
-constexpr std::array<Role, 3> kStageRoles{Role::section_2, Role::section_5, Role::section_1};
 constexpr std::array<std::string_view, 3> kGivenAway{"operations-order", "set-up-share", "frames-1995"};
+constexpr float kLeastTrack = 76;     ///< of a slider [px at 100 %]
 constexpr double kSecondsALap = 0.3;  ///< about, for the hint
 
 constexpr std::array<double, 13> kCounts{1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, kMostTriangles};
@@ -64,21 +64,6 @@ template <std::size_t N>
 template <std::size_t N>
 [[nodiscard]] double value_at(const std::array<double, N>& scale, double place) {
     return scale[static_cast<std::size_t>(std::clamp(std::round(place), 0.0, static_cast<double>(N - 1)))];
-}
-
-/// Digits in groups of three.
-[[nodiscard]] std::string grouped(double number) {
-    std::string digits = fmt::format("{:.0f}", number);
-    for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
-        digits.insert(static_cast<std::size_t>(at), ",");
-    return digits;
-}
-/// Three digits, and a letter for thousands or millions.
-[[nodiscard]] std::string brief(double number) {
-    const auto three = [](double x) { return x < 10 ? fmt::format("{:.2f}", x) : fmt::format("{:.3g}", x); };
-    if (number >= 999.5e3) return three(number / 1e6) + " M";
-    if (number >= 9999.5) return fmt::format("{:.0f} k", number / 1e3);
-    return number >= 999.5 ? fmt::format("{:.0f}", number) : three(number);
 }
 
 /// The numbers are asked for, and the answer is still open.
@@ -102,40 +87,45 @@ public:
           random_(random),
           bills_(context.derived.bills()),
           laps_(context.state.race.laps),
-          row_(pitch(context.ui, 20, Face::code)) {
-        for (const Bill& bill : bills_)
-            name_ = std::max(name_, ui::text_width(ui_.font(Face::title), bill.method->title));
-        name_ = std::min(std::max(name_, ui::text_width(ui_.font(Face::title), k1995)) + ui_.px(20), area.w * .42F);
-        const ui::Font& font = ui_.font(Face::code);
-        number_ =
-            std::max(ui::text_width(font, "88.8 M"), ui::text_width(ui_.font(Face::title), kTriangle)) + ui_.px(12);
-        secret_ = is_secret(context.state);
-    }
+          table_(context.ui, area.w, widest_name(context.ui, bills_), kTriangle),
+          row_(table_.row_height()),
+          secret_(is_secret(context.state)) {}
 
     void draw() {
-        foresee(ui_, "race/scroll", run({0, 0, area_.w, area_.h}, false));
+        const float content = run({0, 0, area_.w, area_.h}, false);
+        foresee(ui_, "race/scroll", content);
+        if (context_.state.race.running || !laps_.empty())  // what was measured last is to be seen
+            follow(ui_, "race/scroll", area_.h, content, measured_, content, static_cast<float>(laps_.size() + 1));
         const Area inner = ui_.begin_scroll("race/scroll", area_);
         ui_.end_scroll(run(inner, true));
     }
 
 private:
+    [[nodiscard]] static float widest_name(const ui::Ui& ui, const std::vector<Bill>& bills) {
+        float widest = ui::text_width(ui.font(Face::title), k1995);
+        for (const Bill& bill : bills)
+            widest = std::max(widest, ui::text_width(ui.font(Face::title), bill.method->title));
+        return widest;
+    }
     /// Goes through all parts, drawing them or only measuring. @return the height of all.
     [[nodiscard]] float run(const Area& inner, bool draws) {
         draws_ = draws;
         float y = draw_controls(inner, inner.y + ui_.px(2));
         if (bills_.empty()) return y - inner.y;
-        if (secret_) return draw_line(inner, y + ui_.px(4), kSecret) - inner.y;
         y = draw_line(inner, y + ui_.px(4), scene_text());
+        if (secret_) return draw_line(inner, y, kSecret) - inner.y;
         y = draw_counted(inner, y + ui_.px(6));
+        measured_ = y - inner.y;
         y = draw_measured(inner, y + ui_.px(8));
         return y - inner.y;
     }
-    [[nodiscard]] float middle(Face face, float y, float height) const {
-        return ui::baseline_at_middle(ui_.font(face), y + height / 2);
+    /// One line of text in the middle of `row`. @return its width.
+    float say(const Area& row, float x, float width, Role role, std::string_view text) {
+        return ui_.text_within(Face::title, {x, table_.baseline(Face::title, row)}, width, role, text);
     }
     /// A line of text. @return where the next begins.
     float draw_line(const Area& inner, float y, std::string_view text) {
-        if (draws_) ui_.text_within(Face::title, {inner.x, middle(Face::title, y, row_)}, inner.w, Role::muted, text);
+        if (draws_) say({inner.x, y, inner.w, row_}, inner.x, inner.w, Role::muted, text);
         return y + row_;
     }
     [[nodiscard]] std::string scene_text() const {
@@ -149,12 +139,15 @@ private:
 
     // -- controls
     float draw_controls(const Area& inner, float y) {
-        const float high = tuning_height(ui_), gap = ui_.px(16), least = ui_.px(168);
+        const float high = tuning_height(ui_), gap = ui_.px(16);
+        const float least = ui::text_width(ui_.font(Face::prose), kCount) +
+                            ui::text_width(ui_.font(Face::code), "10,000") + ui_.px(kLeastTrack);
         const int beside = std::clamp(static_cast<int>((inner.w + gap) / (least + gap)), 1, 3);
         const float width = std::floor((inner.w - gap * static_cast<float>(beside - 1)) / static_cast<float>(beside));
         const auto place = [&](int n) {
-            return Area{inner.x + static_cast<float>(n % beside) * (width + gap),
-                        y + static_cast<float>(n / beside) * (high + ui_.px(2)), width, high};
+            const int column = n % beside, line = n / beside;
+            return Area{inner.x + static_cast<float>(column) * (width + gap),
+                        y + static_cast<float>(line) * (high + ui_.px(2)), width, high};
         };
         const int lines = (3 + beside - 1) / beside;
         if (draws_) {
@@ -176,43 +169,6 @@ private:
         return y + static_cast<float>(lines) * (high + ui_.px(2));
     }
 
-    // -- tables: a name, a bar, numbers at the right
-    [[nodiscard]] Area bar_place(const Area& row) const {
-        const float x = row.x + name_, right = row.right() - 3 * number_;
-        return {x, row.y + std::round(row.h * .2F), std::max(0.0F, right - x), std::round(row.h * .6F)};
-    }
-    void draw_number(const Area& row, int from_right, std::string_view text, bool strong) {
-        ui_.text_right(
-            strong ? Face::code_strong : Face::code,
-            {row.right() - number_ * static_cast<float>(from_right) - ui_.px(4), middle(Face::code, row.y, row.h)},
-            strong ? Role::text : Role::muted, text);
-    }
-    void draw_heading(const Area& row, int from_right, std::string_view text) {
-        ui_.text_right(
-            Face::title,
-            {row.right() - number_ * static_cast<float>(from_right) - ui_.px(4), middle(Face::title, row.y, row.h)},
-            Role::muted, text);
-    }
-    /// A part of a bar: set-up is hatched, so that it is told apart without colours, too.
-    void draw_part(const Area& part, std::size_t stage) {
-        if (part.w <= 0) return;
-        const ui::Color color = ui_.theme()[kStageRoles[stage]];
-        ui::fill(ui_.list(), part, ui::with_alpha(color, stage == 0 ? .45F : .9F));
-        if (stage != 0 || part.w < 3) return;
-        const std::array<glm::vec2, 4> corners{
-            {{part.x, part.y}, {part.right(), part.y}, {part.right(), part.bottom()}, {part.x, part.bottom()}}};
-        ui::draw_hatch(ui_.list(), corners, 45, ui_.px(5), {part.x, part.y}, 1.2F, color);
-    }
-    void draw_bar(const Area& whole, double most, const std::array<double, 3>& parts) {
-        double before = 0;
-        for (std::size_t n = 0; n < parts.size(); ++n) {
-            const auto at = [&](double value) {
-                return most > 0 ? std::round(whole.w * static_cast<float>(value / most)) : 0.0F;
-            };
-            const float from = at(before), to = at(before += parts[n]);
-            draw_part({whole.x + from, whole.y, to - from, whole.h}, n);
-        }
-    }
     /// A method's name, as a control that draws with it.
     void draw_name(const Area& row, const Method& method, const std::string& name, const std::string& tip) {
         const bool current = &method == &context_.derived.method();
@@ -220,31 +176,21 @@ private:
         if (control.clicked) context_.act(action::SetMethod{std::string(method.id)});
         if (current) ui::current_row(ui_, row);
         if (control.hovered) ui::frame(ui_.list(), row, ui_.theme()[Role::now], 1, ui::size::kRadius);
-        ui_.text_within(Face::title, {row.x + ui_.px(8), middle(Face::title, row.y, row.h)}, name_ - ui_.px(12),
-                        current ? Role::text : Role::muted, method.title);
+        say(row, row.x + ui_.px(8), table_.name_width() - ui_.px(12), current ? Role::text : Role::muted, method.title);
     }
-    void draw_legend(const Area& row, float left, float right) {
-        float width = 0;
-        for (const std::string_view stage : kStages)
-            width += ui::text_width(ui_.font(Face::title), stage) + row.h * .6F + ui_.px(16);
-        float x = std::max(left, right - width);
-        for (std::size_t n = 0; n < kStages.size(); ++n) {
-            const float side = std::round(row.h * .5F), text = ui::text_width(ui_.font(Face::title), kStages[n]);
-            if (x + side + ui_.px(5) + text > right) return;
-            draw_part({x, std::round(row.y + (row.h - side) / 2), side, side}, n);
-            x += side + ui_.px(5);
-            ui_.text_within(Face::title, {x, middle(Face::title, row.y, row.h)}, text + 1, Role::muted, kStages[n]);
-            x += text + ui_.px(12);
-        }
-    }
-
     float draw_counted(const Area& inner, float y) {
+        const float title = ui::text_width(ui_.font(Face::title), kCounted) + ui_.px(12);
+        const float right = table_.bar_place({inner.x, y, inner.w, row_}).right();
+        if (title + table_.legend_width() > right - inner.x) {  // a line of its own
+            if (draws_) table_.legend({inner.x, y, inner.w, row_}, inner.x + table_.legend_width());
+            y += row_;
+        } else if (draws_) {
+            table_.legend({inner.x, y, inner.w, row_}, right);
+        }
         if (draws_) {
             const Area head{inner.x, y, inner.w, row_};
-            const float title =
-                ui_.text_within(Face::title, {head.x, middle(Face::title, y, row_)}, name_, Role::text, kCounted);
-            draw_heading(head, 2, kShare), draw_heading(head, 1, kTriangle), draw_heading(head, 0, kPixel);
-            draw_legend(head, inner.x + title + ui_.px(12), bar_place(head).right() - ui_.px(8));
+            say(head, head.x, table_.name_width(), Role::text, kCounted);
+            table_.heading(head, 2, kTriangle), table_.heading(head, 1, kShare), table_.heading(head, 0, kPixel);
         }
         y += row_;
         if (draws_) ui::hairline(ui_, {inner.x, y}, inner.w);
@@ -264,11 +210,11 @@ private:
                      samples = of(all(bill.in_pixels), bill.counted);
         draw_name(row, *bill.method, fmt::format("race/{}", bill.method->id),
                   fmt::format(kCountedTip, bill.method->title, brief(set_up), brief(rows), brief(samples)));
-        draw_bar(bar_place(row), most, {all(bill.set_up), all(bill.in_rows), all(bill.in_pixels)});
+        table_.bar(row, most, {all(bill.set_up), all(bill.in_rows), all(bill.in_pixels)});
         const bool current = bill.method == &context_.derived.method();
-        draw_number(row, 2, fmt::format("{:.0f} %", 100 * bill.set_up_share()), current);
-        draw_number(row, 1, brief(set_up + rows + samples), current);
-        draw_number(row, 0, brief(of(all(bill.whole()), bill.pixels)), current);
+        table_.number(row, 1, percent(bill.set_up_share()), current);
+        table_.number(row, 2, brief(set_up + rows + samples), current);
+        table_.number(row, 0, brief(of(all(bill.whole()), bill.pixels)), current);
     }
 
     // -- time
@@ -282,16 +228,15 @@ private:
         const bool on = context_.state.race.running;
         if (draws_) {
             const Area head{inner.x, y, inner.w, high};
-            ui_.text_within(Face::title, {head.x, middle(Face::title, y, high)}, name_, Role::text, kMeasured);
+            say(head, head.x, table_.name_width(), Role::text, kMeasured);
             const float width = std::max(ui::button_width(ui_, kRun), ui::button_width(ui_, kStop));
-            if (ui::toggle(ui_, "race/run", {inner.x + name_, y, width, high}, on ? kStop : kRun, on,
+            if (ui::toggle(ui_, "race/run", {inner.x + table_.name_width(), y, width, high}, on ? kStop : kRun, on,
                            on ? kStopTip : kRunTip)
                     .clicked)
                 context_.act(action::StartRace{!on});
-            const float x = inner.x + name_ + width + ui_.px(10);
-            ui_.text_within(Face::title, {x, middle(Face::title, y, high)},
-                            std::max(0.0F, inner.right() - 3 * number_ - x), Role::muted, hint());
-            draw_heading(head, 2, kFrame), draw_heading(head, 1, kPixels), draw_heading(head, 0, kTriangles);
+            const float x = inner.x + table_.name_width() + width + ui_.px(10);
+            say(head, x, std::max(0.0F, inner.right() - table_.numbers_width() - x), Role::muted, hint());
+            table_.heading(head, 2, kTriangles), table_.heading(head, 1, kFrame), table_.heading(head, 0, kPixels);
         }
         y += high + ui_.px(2);
         if (draws_) ui::hairline(ui_, {inner.x, y}, inner.w);
@@ -311,15 +256,14 @@ private:
         const ui::Control control =
             ui_.control({"race/1995", row, ui::Kind::link, k1995, fmt::format(k1995Tip, grouped(pixels))});
         if (control.hovered) ui::frame(ui_.list(), row, ui_.theme()[Role::now], 1, ui::size::kRadius);
-        ui_.text_within(Face::title, {row.x + ui_.px(8), middle(Face::title, row.y, row.h)}, name_ - ui_.px(12),
-                        Role::text, k1995);
-        Area bar = bar_place(row);
+        say(row, row.x + ui_.px(8), table_.name_width() - ui_.px(12), Role::text, k1995);
+        Area bar = table_.bar_place(row);
         if (most > 0) bar.w = std::round(bar.w * static_cast<float>(seconds / most));
         ui::fill(ui_.list(), bar, ui_.theme()[Role::covered]);
-        draw_number(row, 2, brief(seconds * 1e3), true);
-        draw_number(row, 1, brief(1e-6 / kPixelSeconds1995), true);
+        table_.number(row, 1, brief(seconds * 1e3), true);
+        table_.number(row, 0, brief(1e-6 / kPixelSeconds1995), true);
         const auto triangles = static_cast<double>(bills_.front().shapes);
-        draw_number(row, 0, seconds > 0 ? brief(triangles / seconds) : std::string(), true);
+        table_.number(row, 2, seconds > 0 ? brief(triangles / seconds) : std::string(), true);
     }
     void draw_lap(const Area& row, const Lap& lap, double most) {
         const double seconds = std::max(lap.seconds, 1e-9);
@@ -327,10 +271,10 @@ private:
                           triangles = brief(static_cast<double>(lap.triangles) / seconds);
         draw_name(row, *lap.method, fmt::format("race/lap/{}", lap.method->id),
                   fmt::format(kMeasuredTip, lap.method->title, ms, brief(lap.set_up * 1e3), pixels, triangles));
-        draw_bar(bar_place(row), most, {lap.set_up, 0, lap.seconds - lap.set_up});
+        table_.bar(row, most, {lap.set_up, 0, lap.seconds - lap.set_up});
         const bool current = lap.method == &context_.derived.method();
-        draw_number(row, 2, ms, current), draw_number(row, 1, pixels, current);
-        draw_number(row, 0, triangles, current);
+        table_.number(row, 1, ms, current), table_.number(row, 0, pixels, current);
+        table_.number(row, 2, triangles, current);
     }
 
     const ViewContext& context_;
@@ -339,8 +283,9 @@ private:
     const RandomTriangles& random_;
     const std::vector<Bill>& bills_;
     const std::vector<Lap>& laps_;
-    float row_, name_ = 0, number_ = 0;
-    bool secret_ = false, draws_ = false;
+    RaceTable table_;
+    float row_, measured_ = 0;  ///< where the measured times begin
+    bool secret_, draws_ = false;
 };
 
 void draw(const ViewContext& context, const Area& place) {

@@ -12,8 +12,8 @@ namespace texelscope {
 namespace {
 
 constexpr std::array<std::string_view, 3> kOthers{"forward", "sampling-1d", "two-pass"};
-constexpr Integer kMostSamples = 2'000'000;  ///< that the counted shapes' boxes may hold: more would hold up a frame
-constexpr int kMostOfRow = 128;              ///< samples of a row that are counted one by one
+constexpr Integer kMostSamples = 600'000;  ///< that the counted shapes' boxes may hold: more would hold up a frame
+constexpr std::size_t kMostOfRow = 64;     ///< samples of a row that are counted one by one
 
 [[nodiscard]] bool has_fraction(const Value& value) {
     return !std::holds_alternative<bool>(value) && !std::holds_alternative<Integer>(value);
@@ -104,19 +104,20 @@ private:
     }
     /// Samples written: as many as there are, each as costly as those of one row on the average.
     void add_written(const Path& path) {
-        OperationCount sum;
-        Integer count = 0;
         const Path row = path.prefix(3);
-        const std::optional<Loop> loop = steps_.at(row).unit().loop;
-        if (!loop) return;
-        const OperationCount before = of_unit(row);
-        for (Integer at = loop->first; loop->contains(at) && count < kMostOfRow; at += loop->step) {
-            const Visit& sample = steps_.at(row.child(loop->letter, at));
-            if (sample.unit().fate != Fate::written) continue;
-            sum = sum + (operations_on(sample.tape) - before);
-            ++count;
-        }
+        const bool column = row.parts[2].letter == 'x';
+        const Rect frame = drawing_.scene().framebuffer.rect();
+        const auto line = static_cast<int>(row.parts[2].index);
+        const Rect strip = column ? Rect{line, frame.y0, line + 1, frame.y1} : Rect{frame.x0, line, frame.x1, line + 1};
+        std::vector<Integer> places;
+        each_sample(drawing_, *largest_, *largest_ + 1, {strip, 1}, [&](int, const Sample& s) {
+            if (s.fate == Fate::written && places.size() < kMostOfRow) places.push_back(column ? s.y : s.x);
+        });
+        OperationCount sum;
+        for (const Integer at : places) sum = sum + of_unit(row.child(path.parts[3].letter, at));
+        const auto count = static_cast<Integer>(places.size());
         if (count == 0) return;
+        sum = sum - count * of_unit(row);
         const auto mean = [&](Integer n) { return (n * bill_.pixels + count / 2) / count; };
         bill_.in_pixels =
             bill_.in_pixels + OperationCount{mean(sum.additions), mean(sum.multiplications), mean(sum.divisions)};

@@ -127,6 +127,17 @@ TEST_F(KeymapTest, VWithDTakesTheOtherDiagonal) {
     EXPECT_TRUE(press({.key = Key::d, .repeat = true}, {Key::v}).actions.empty());
 }
 
+TEST_F(KeymapTest, KShowsThePaletteInTheFirstTabAndHidesIt) {
+    Look look;
+    look.tab = 2;
+    store.dispatch(action::SetLook{look});
+    const Look shown = only<action::SetLook>(press({Key::k})).look;
+    EXPECT_TRUE(shown.palette);
+    EXPECT_EQ(shown.tab, 0);
+    store.dispatch(action::SetLook{shown});
+    EXPECT_FALSE(only<action::SetLook>(press({Key::k})).look.palette);
+}
+
 TEST_F(KeymapTest, VWithAnArrowMovesACornerByOnePixel) {
     const Handle handle{0, 1, false};
     store.dispatch(action::ChooseHandle{handle});

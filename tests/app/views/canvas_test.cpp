@@ -55,6 +55,18 @@ TEST(Canvas, HoveringAndClickingAPixelSelectsIt) {
     EXPECT_EQ(screen.state().hover.kind, Selection::Kind::none);
 }
 
+TEST(Canvas, APictureOf640Times480HasAllOfItsPixelsAndSoNoRulers) {
+    CanvasScreen::Setup setup = cramer("t0");
+    setup.scene.framebuffer = {640, 480, 0, 0, {}};
+    CanvasScreen screen(setup);
+    screen.add("canvas", kCanvas);
+    screen.frame();
+    EXPECT_FALSE(screen.says("128"));
+    screen.move({8 + 600.5F, 48 + 50.5F});
+    screen.frame();
+    EXPECT_EQ(screen.state().hover.at, glm::ivec2(600, 50));
+}
+
 TEST(Canvas, RestingTheMouseSaysNothingNew) {
     CanvasScreen screen(cramer());
     screen.add("canvas", kCanvas);

@@ -411,5 +411,25 @@ TEST(SideViews, ABeatReplacesTheLessonsAndTheyStayUntilTheNext) {
     EXPECT_EQ(side_views(state), (std::vector<std::string_view>{"texels", "formula", "difference"}));
 }
 
+TEST(SideViews, ThePaletteTakesTheFirstPlaceWhereItIsAskedFor) {
+    auto document = std::make_shared<Document>();
+    Lesson lesson;
+    lesson.beats.resize(1);
+    State state;
+    state.look.palette = true;
+    const auto with = [&](std::vector<std::string> views) {
+        lesson.views = std::move(views);
+        document->lesson = lesson;
+        state.document = document;
+        const auto names = side_views(state);
+        return std::vector<std::string>(names.begin(), names.end());
+    };
+    EXPECT_EQ(with({"texels", "formula", "code"}), (std::vector<std::string>{"palette", "formula", "code"}));
+    EXPECT_EQ(with({"race"}), (std::vector<std::string>{"palette", "race"}));
+    EXPECT_EQ(with({"texels", "palette"}), (std::vector<std::string>{"texels", "palette"}));
+    state.document = nullptr;
+    EXPECT_EQ(side_views(state).front(), "palette");
+}
+
 }  // namespace
 }  // namespace texelscope
