@@ -44,12 +44,12 @@ enum class Cause : std::uint8_t {
 };
 inline constexpr std::size_t kCauses = 6;
 inline constexpr double kRounding = 1e-6;      ///< [texels]
-inline constexpr Integer kMaxExact = 1 << 12;  ///< [px]
+inline constexpr Integer kMaxExact = 1 << 10;  ///< [px]; exact numbers are slow
 
 struct DifferenceCell {
     Cause cause = Cause::nothing;
-    Rgb own{}, others{};  ///< the two pictures
-    double u = 0, v = 0;  ///< (u, v) of the state's run minus the other's [texels]; where both draw it
+    std::optional<Rgb> own, others;  ///< the two pictures; nothing where the run draws nothing
+    double u = 0, v = 0;             ///< (u, v) of the state's run minus the other's [texels]; where both draw it
 };
 /// The pictures of two runs over one scene, each pixel as its last write left it.
 struct Difference {

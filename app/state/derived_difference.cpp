@@ -134,7 +134,8 @@ Difference compare(const Drawing& own, const DrawSettings& other, const Window& 
     for (std::size_t n = 0; n < here.size(); ++n) {
         const Seen &a = here.data()[n], &b = there.data()[n];
         DifferenceCell& cell = difference.cells.data()[n];
-        cell.own = a.sample.colour, cell.others = b.sample.colour;
+        if (a.polygon >= 0) cell.own = a.sample.colour;
+        if (b.polygon >= 0) cell.others = b.sample.colour;
         if (a.polygon >= 0 && a.polygon == b.polygon) cell.u = apart(a, b).x, cell.v = apart(a, b).y;
         const bool both = a.polygon == b.polygon;
         if (!both || (a.polygon >= 0 && !same_texel(a, b))) {

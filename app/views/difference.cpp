@@ -156,11 +156,12 @@ private:
     }
 
     [[nodiscard]] Rgba shown(const DifferenceCell& cell, int picture) const {
-        if (cell.cause == Cause::nothing) return {0, 0, 0, 0};
+        constexpr Rgba kNone{0, 0, 0, 0};
         if (picture < 2) {
-            const Rgb c = picture == 0 ? cell.own : cell.others;
-            return {c.r, c.g, c.b, 255};
+            const std::optional<Rgb>& c = picture == 0 ? cell.own : cell.others;
+            return c ? Rgba{c->r, c->g, c->b, 255} : kNone;
         }
+        if (cell.cause == Cause::nothing) return kNone;
         const CauseInfo* info = info_of(cell.cause);
         const ui::Theme& theme = ui_.theme();
         return rgba(info != nullptr ? theme[info->role] : ui::over(theme[Role::covered], .3F, theme.canvas));

@@ -47,10 +47,15 @@ constexpr double kNone = 1e-6;  ///< below it an error is that of the reference'
     return {byte(0), byte(8), byte(16), 255};
 }
 
-/// The scale, the worst place, and where corners may be moved the depth of one.
-[[nodiscard]] float legend_height(const ViewContext& ctx) {
-    return 2 * pitch(ctx.ui, 18, ui::Face::title) + ctx.ui.px(6) +
-           (has_depth_tuning(ctx) ? tuning_height(ctx.ui) + ctx.ui.px(4) : 0);
+/// The scale and the worst place.
+[[nodiscard]] float legend_height(const ui::Ui& ui) { return 2 * pitch(ui, 18, ui::Face::title) + ui.px(6); }
+
+/// The depth of a corner can be tuned, and the picture stays about as large as it is without that.
+[[nodiscard]] bool has_room_for_tuning(const ViewContext& ctx, const ui::Area& picture) {
+    constexpr double kLeastShare = .75;
+    const Framebuffer& frame = ctx.derived.scene().framebuffer;
+    const ui::Area lower{picture.x, picture.y, picture.w, picture.h - tuning_height(ctx.ui) - ctx.ui.px(4)};
+    return has_depth_tuning(ctx) && lower.h > 0 && fit_zoom(lower, frame) >= kLeastShare * fit_zoom(picture, frame);
 }
 
 class HeatView {
@@ -58,9 +63,12 @@ public:
     HeatView(const ViewContext& ctx, const ui::Area& area)
         : ctx_(ctx), ui_(ctx.ui), line_(pitch(ctx.ui, 18, ui::Face::title)), area_(area) {
         const Framebuffer& frame = ctx.derived.scene().framebuffer;
-        const float legend = legend_height(ctx);
-        if (has_depth_tuning(ctx)) tuning_ = {area.x, area.bottom() - tuning_height(ui_), area.w, tuning_height(ui_)};
-        map_ = make_map({area.x, area.y, area.w, std::max(1.0F, area.h - legend)}, frame, Look{});
+        ui::Area picture{area.x, area.y, area.w, std::max(1.0F, area.h - legend_height(ui_))};
+        if (has_room_for_tuning(ctx, picture)) {
+            tuning_ = {area.x, area.bottom() - tuning_height(ui_), area.w, tuning_height(ui_)};
+            picture.h -= tuning_.h + ui_.px(4);
+        }
+        map_ = make_map(picture, frame, Look{});
         errors_ = &ctx.derived.errors(window_in_view(map_, frame));
         end_ = scale_end(errors_->worst ? errors_->error.length() : 0);
     }
@@ -235,7 +243,7 @@ private:
 
 /// Where there is no room for the picture above its legend, the two can be scrolled.
 void draw_scrolled(const ViewContext& context, const ui::Area& area) {
-    const float least = legend_height(context) + context.ui.px(70);
+    const float least = legend_height(context.ui) + context.ui.px(70);
     const float content = std::max(area.h, least);
     foresee(context.ui, "heat/scroll", content);
     const ui::Area inner = context.ui.begin_scroll("heat/scroll", area);

@@ -15,7 +15,8 @@ namespace {
 constexpr std::string_view kTurn = "turn", kScale = "scale", kDegreesText = "{:.0f}°", kScaleText = "{:.2f}";
 constexpr std::string_view kTurnTip = "Turns the shape round its middle. Ctrl with the arrows: ten times as far.",
                            kScaleTip = "Pixels a texel";
-constexpr std::string_view kDepth = "$w$ of $P_{}$", kDepthText = "{:.3g}", kDiagonal = "other diagonal";
+constexpr std::string_view kDepth = "$w$ of $P_{}$", kDepthElsewhere = "$w$ of corner {}", kDepthText = "{:.3g}",
+                           kDiagonal = "other diagonal";
 constexpr std::string_view kDepthTip = "Depth of the corner. A click on another corner chooses that one.",
                            kDiagonalTip = "Begins the polygon one corner later: a quad is cut the other way.";
 constexpr ui::SliderRange kDepths{.25, 4, .0625};
@@ -25,6 +26,15 @@ constexpr ui::SliderRange kTurns{-180, 180, 1}, kScales{.25, 3, .05};
 [[nodiscard]] std::span<const Vertex> polygon_of(const Derived& derived) {
     const int polygon = derived.drawing().polygon_of(derived.shape());
     return derived.scene().polygons[static_cast<std::size_t>(polygon)].vertices;
+}
+
+/// The corner as the canvas names it, where it is one of the cursor's shape.
+[[nodiscard]] std::string depth_label(const Derived& derived, int vertex) {
+    const int shape = derived.shape();
+    const auto count = static_cast<int>(derived.drawing().corners(shape).size());
+    for (int n = 0; n < count; ++n)
+        if (derived.drawing().vertex_of(shape, n) == vertex) return fmt::format(kDepth, n);
+    return fmt::format(kDepthElsewhere, vertex);
 }
 
 }  // namespace
@@ -94,7 +104,7 @@ void draw_depth_tuning(const ViewContext& context, const ui::Area& row) {
                    {.face = ui::Face::note})
             .clicked)
         context.act(action::TurnRing{polygon});
-    const std::string label = fmt::format(kDepth, handle.vertex);
+    const std::string label = depth_label(context.derived, handle.vertex);
     const auto to = draw_tuning(ui, slider, {"tune/depth", label, fmt::format(kDepthText, vertex->w), kDepthTip},
                                 vertex->w, kDepths);
     if (to && static_cast<float>(*to) != vertex->w)

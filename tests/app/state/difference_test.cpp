@@ -12,16 +12,17 @@
 namespace texelscope {
 namespace {
 
-constexpr Rect kFrame{0, 0, 40, 30};
+constexpr Rect kFrame{0, 0, 32, 25};
+static_assert(Integer{kFrame.width()} * kFrame.height() <= kMaxExact);
 
-/// A parallelogram over 40 x 30 pixels, 30 x 23 pixels for 16 x 16 texels; `far` is the w of its upper side. Its
+/// A parallelogram over the frame, 30 x 23 pixels for 16 x 16 texels; `far` is the w of its upper side. Its
 /// borders pass through no sample, with `on_samples` its left and upper ones through many.
 [[nodiscard]] Scene face(float far = 1, bool on_samples = false) {
     Scene scene;
     scene.framebuffer.width = kFrame.x1, scene.framebuffer.height = kFrame.y1;
     scene.textures.push_back(
         std::make_shared<const Texture>(Texture{.name = "t", .texels = make_pattern(Pattern::address, 16, 16, 1)}));
-    const float x = on_samples ? 4.5F : 4.25F, y = on_samples ? 3.5F : 3.25F;
+    const float x = on_samples ? 1.5F : 1.25F, y = on_samples ? 1.5F : 1.25F;
     const float inset = far > 1 ? 7.5F : 0;  // of a face that is as wide far away as near
     Polygon quad;
     quad.vertices = {{.x = x + inset, .y = y, .w = far, .u = 0, .v = 0},
@@ -158,9 +159,9 @@ TEST(Compare, TheSameRunDiffersNowhereAndKeepsToTheWindow) {
     const Scene scene = face();
     EXPECT_EQ(differing(compared(scene, run("sections"), run("sections"))), 0);
     const Difference part = compare(Drawing(scene, run("sections")), run("edge-equations fx8.8"), {{-9, 4, 12, 99}, 3});
-    EXPECT_EQ(part.window.rect, (Rect{0, 4, 12, 30}));
+    EXPECT_EQ(part.window.rect, (Rect{0, 4, 12, 25}));
     EXPECT_EQ(part.cells.width(), 4);
-    EXPECT_EQ(part.cells.height(), 9);
+    EXPECT_EQ(part.cells.height(), 7);
 }
 
 TEST(Compare, ALargeWindowNamesTheSameCauses) {

@@ -34,6 +34,15 @@ const ui::Area kLarge{0, 0, 624, 288}, kWide{0, 0, 416, 208};
 
 constexpr QuirkSet kAffine = 0b10000;
 
+void click(ViewStage& stage, const std::string& view, glm::vec2 at) {
+    stage.input.mouse = at;
+    stage.frame(view, kLarge);
+    stage.input.pressed[0] = true, stage.input.down[0] = true;
+    stage.frame(view, kLarge);
+    stage.input.released[0] = true, stage.input.down[0] = false;
+    stage.frame(view, kLarge);
+}
+
 TEST(Heat, NamesTheWorstPlaceAndGoesThere) {
     ViewStage stage = stage_of("barycentric", "t1");
     stage.state.work.quirks = kAffine;
@@ -41,12 +50,7 @@ TEST(Heat, NamesTheWorstPlaceAndGoesThere) {
     EXPECT_TRUE(stage.shows("worst at "));
     const ui::ControlRecord* worst = stage.control("worst place");
     ASSERT_NE(worst, nullptr);
-    stage.input.mouse = worst->area.centre();
-    stage.frame("heat", kLarge);
-    stage.input.pressed[0] = true, stage.input.down[0] = true;
-    stage.frame("heat", kLarge);
-    stage.input.released[0] = true, stage.input.down[0] = false;
-    stage.frame("heat", kLarge);
+    click(stage, "heat", worst->area.centre());
     const auto* step = stage.done<action::StepTo>();
     ASSERT_NE(step, nullptr);
     const glm::ivec2 at = *stage.derived.errors({{0, 0, 80, 30}, 1}).worst;
@@ -59,6 +63,35 @@ TEST(Heat, SaysThatThereIsNoErrorInPerspective) {
     stage.frame("heat", kLarge);
     EXPECT_TRUE(stage.shows("no error"));
     EXPECT_EQ(stage.control("worst place"), nullptr);
+}
+
+TEST(Heat, TunesTheDepthOfTheChosenCornerAndTurnsTheDiagonal) {
+    ViewStage stage = stage_of("barycentric", "t1");  // corners 0, 2 and 3 of the quad
+    stage.frame("heat", kLarge);
+    const ui::ControlRecord* other = stage.control("other diagonal");
+    ASSERT_NE(other, nullptr);
+    click(stage, "heat", other->area.centre());
+    ASSERT_NE(stage.done<action::TurnRing>(), nullptr);
+    EXPECT_EQ(stage.done<action::TurnRing>()->polygon, 0);
+
+    stage.state.handle = {0, 2, false};
+    stage.frame("heat", kLarge);
+    const ui::ControlRecord* depth = stage.control("$w$ of $P_1$");  // as the canvas names it
+    ASSERT_NE(depth, nullptr);
+    const glm::vec2 three{depth->area.x + depth->area.w * (3 - .25F) / (4 - .25F), depth->area.centre().y};
+    stage.input.mouse = three;
+    stage.frame("heat", kLarge);
+    stage.input.pressed[0] = true, stage.input.down[0] = true;
+    stage.frame("heat", kLarge);
+    const auto* set = stage.done<action::SetDepth>();
+    ASSERT_NE(set, nullptr);
+    EXPECT_EQ(set->handle, (Handle{0, 2, false}));
+    EXPECT_NEAR(set->w, 3, .15F);
+
+    stage.state.handle = {0, 1, false};
+    stage.input.released[0] = true, stage.input.down[0] = false;
+    stage.frame("heat", kLarge);
+    EXPECT_NE(stage.control("$w$ of corner 1"), nullptr);
 }
 
 TEST(Ramp, RisesInLightnessFromViolet) {
