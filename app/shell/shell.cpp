@@ -1,7 +1,12 @@
 #include "app/shell/shell.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <system_error>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "app/state/keymap.h"
 #include "app/state/link.h"
@@ -31,6 +36,16 @@ constexpr std::string_view kNotHere = "This lesson is not in this version.";
     return {text_scale(window, look), look.presenting};
 }
 
+/// Every frame needs the same large buffers: what one has freed is kept for the next. To get their pages from the
+/// system each time took a quarter of a frame in which a solid turns.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+    constexpr int kLargestKept = 32 << 20, kMostKept = 128 << 20;  // [bytes]
+    mallopt(M_MMAP_THRESHOLD, kLargestKept);
+    mallopt(M_TRIM_THRESHOLD, kMostKept);
+#endif
+}
+
 [[nodiscard]] std::string short_name(const State& state) {
     return state.document ? std::filesystem::path(state.document->id).stem().string() : "texelscope";
 }
@@ -42,6 +57,7 @@ Shell::Shell(Host& host, State state, std::vector<Lesson> lessons, ShellOptions 
 
 Result<std::unique_ptr<Shell>> Shell::start(Host& host, State state, std::vector<Lesson> lessons,
                                             ShellOptions options) {
+    keep_freed_memory();
     std::unique_ptr<Shell> shell(new Shell(host, std::move(state), std::move(lessons), std::move(options)));
     if (!shell->bake_fonts()) return Error{"", shell->font_error_};
     shell->remember_times();

@@ -120,14 +120,15 @@ private:
         const float side = std::clamp(below ? free - std::max(corners_size().y, cuts_size().y) - ui_.px(8) : free,
                                       std::min(most, std::max(named, ui_.px(96))), most);
         Places at;
+        if (twice_) at.regime = {inner.x, pen.y, inner.w, regime}, pen.y += regime + ui_.px(8);  // what is wrong: first
         at.world = next({side, side + title_height()});
         at.frame = next({side, side + title_height()});
         at.corners = next(corners_size());
         at.cuts = next(cuts_size());
         next_row();
         at.ratio = {inner.x, pen.y, inner.w, bars};
-        at.regime = {inner.x, pen.y + bars, inner.w, regime};
-        at.height = at.regime.bottom() - inner.y;
+        if (!twice_) at.regime = {inner.x, at.ratio.bottom(), inner.w, regime};
+        at.height = std::max(at.ratio.bottom(), at.regime.bottom()) - inner.y;
         return at;
     }
     [[nodiscard]] float title_height() const { return pitch(ui_, 16, Face::count); }

@@ -20,18 +20,21 @@ public:
     }
     [[nodiscard]] bool any_open() const { return open_count_ > 0; }
 
-    /// Calls draw(part of the window) for each open square that `pixels` meets.
+    /// Calls draw(part of the window) for each run of open squares, side by side, that `pixels` meets.
     void each_open(const Rect& pixels, auto&& draw) {
         const Window& window = layer_.window();
         const int side = kTile * window.stride;
         const Rect met = intersection(pixels, window.rect);
         if (met.empty()) return;
+        const int last = (met.x1 - 1 - window.rect.x0) / side;
         for (int y = (met.y0 - window.rect.y0) / side; y <= (met.y1 - 1 - window.rect.y0) / side; ++y) {
-            for (int x = (met.x0 - window.rect.x0) / side; x <= (met.x1 - 1 - window.rect.x0) / side; ++x) {
-                if (open_.at(x, y) == 0) continue;
-                const int x0 = window.rect.x0 + x * side, y0 = window.rect.y0 + y * side;
-                draw(Window{intersection({x0, y0, x0 + side, y0 + side}, window.rect), window.stride});
-                look_at(x, y);
+            for (int x = (met.x0 - window.rect.x0) / side; x <= last; ++x) {
+                const int first = x;
+                while (x <= last && open_.at(x, y) != 0) ++x;
+                if (x == first) continue;
+                const int x0 = window.rect.x0 + first * side, y0 = window.rect.y0 + y * side;
+                draw(Window{intersection({x0, y0, x0 + (x - first) * side, y0 + side}, window.rect), window.stride});
+                for (int n = first; n < x; ++n) look_at(n, y);
             }
         }
     }

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/method/method.h"
+#include "core/method/texel.h"
 
 namespace texelscope::run {
 
@@ -96,15 +97,23 @@ Fate render(NumberFormat format, const Job& job, Image& picture) {
     };
 }
 
-template <class Method>
-[[nodiscard]] Fate paint_with(const Method& method, const Job& job, int shape, Layer& layer) {
-    return method.draw(job.corners, layer.put(shape, job.half, [](const auto& texel) { return colour_of(texel); }));
+/// What the methods make of each value of a channel under the job's light.
+template <class T>
+[[nodiscard]] std::array<std::uint8_t, 256> lit_channels(const Job& job) {
+    std::array<std::uint8_t, 256> lit{};
+    for (std::size_t n = 0; n < lit.size(); ++n)
+        lit[n] = static_cast<std::uint8_t>(shaded<T>(static_cast<int>(n), job.light, job.mode));
+    return lit;
 }
-/// As draw_corrected, and for the same reason; but for the light, as the faces of solids have one.
+/// As draw_corrected, and for the same reason. The faces of solids have a light: it is looked up.
 template <template <class, class> class M, class T>
 [[gnu::flatten]] Fate paint_corrected(const Job& job, const Window& part, int shape, Layer& layer) {
-    const M<T, WindowTrace> method{job.frame, *job.texture, job.light, job.cull_back, {}, job.mode, WindowTrace(part)};
-    return paint_with(method, job, shape, layer);
+    const auto lit = lit_channels<T>(job);
+    const M<T, WindowTrace> method{job.frame, *job.texture, 1, job.cull_back, {}, job.mode, WindowTrace(part)};
+    return method.draw(job.corners, layer.put(shape, job.half, [lit = lit.data()](const auto& texel) {
+        const Rgb colour = colour_of(texel);
+        return Rgb{lit[colour.r], lit[colour.g], lit[colour.b]};
+    }));
 }
 
 template <template <class, class> class M, auto fields>
@@ -113,7 +122,8 @@ Fate paint(NumberFormat format, const Job& job, const Window& part, int shape, L
         using T = decltype(type);
         if constexpr (std::floating_point<T>)
             if (job.quirks == 0) return paint_corrected<M, T>(job, part, shape, layer);
-        return paint_with(make<M, T>(job, fields, WindowTrace(part)), job, shape, layer);
+        const auto method = make<M, T>(job, fields, WindowTrace(part));
+        return method.draw(job.corners, layer.put(shape, job.half, [](const auto& texel) { return colour_of(texel); }));
     });
 }
 

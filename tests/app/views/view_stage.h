@@ -91,16 +91,14 @@ public:
         platform.frame(input, [&] {
             ui::Ui ui(memory, input, fonts_, theme_, *ImGui::GetBackgroundDrawList());
             ui::fill(ui.list(), {0, 0, input.size.x, input.size.y}, theme_.bg);
-            const ViewContext context{ui,
-                                      state,
-                                      derived,
-                                      platform.textures(),
-                                      {},
-                                      actions,
-                                      false,
-                                      false,
-                                      derived.highlight(state.hover),
-                                      derived.highlight(state.pinned)};
+            const ViewContext context{.ui = ui,
+                                      .state = state,
+                                      .derived = derived,
+                                      .textures = platform.textures(),
+                                      .lessons = {},
+                                      .actions = actions,
+                                      .hover = derived.highlight(state.hover),
+                                      .pinned = derived.highlight(state.pinned)};
             for (const auto& [name, area] : places) {
                 const View* view = find_view(name);
                 if (view == nullptr)
