@@ -76,10 +76,10 @@ constexpr auto kQuestions = std::to_array<Question>({
     {"hole", "N", Kind::pixel, "", "forward", false, "N pixels of the shape that stay empty", answers::hole},
     {"buffer-width", "SHAPE", Kind::number, "", "two-pass", false,
      "how many columns of tmp a row of the shape's texels takes up, 0.5 either way", answers::buffer_width},
-    {"operations-order", "METHOD METHOD METHOD", Kind::number, "", "", false,
+    {"operations-order", "RACER RACER RACER", Kind::number, "", "", false,
      "three methods by how many operations the scene takes, fewest first: 213 where the second has fewest",
      answers::operations_order},
-    {"set-up-share", "METHOD?", Kind::number, "", "", false,
+    {"set-up-share", "RACER?", Kind::number, "", "", false,
      "how many percent of the scene's operations are set-up; 10 either way", answers::set_up_share},
     {"frames-1995", "", Kind::number, "", "", false,
      "how many times a second the scene's pixels were drawn at 100 ns each; a twentieth either way",
@@ -116,7 +116,7 @@ constexpr std::string_view kChoose = "Choose first.", kType = "Type a number fir
 /// Takes one argument as the form's `token` wants it; else what was expected.
 [[nodiscard]] std::string take_argument(std::string_view token, std::string_view word, const Method& method,
                                         QuestionCall& call) {
-    if (token == "METHOD") {
+    if (token == "RACER") {
         const std::vector<const Method*> all = racers();
         if (std::none_of(all.begin(), all.end(), [&](const Method* m) { return m->id == word; }))
             return "a method that can race, such as edge-walk";

@@ -245,6 +245,8 @@ TEST(Questions, EachIsNamedOnceAndDocumented) {
     std::string call(question.name);
     if (question.form == "A B") return call + " 1 2";
     if (question.form == "V") return call + " " + std::to_string(std::abs(b) % 3);
+    if (question.form == "RACER RACER RACER") return call + " sections edge-walk barycentric";
+    if (question.form == "RACER?") return call + " sections";
     if (question.form.starts_with("METHOD")) return call + (a % 2 == 0 ? " barycentric" : " forward as-printed fx8.8");
     if (question.name == "first-flip") return call + " 0 100 10000 1000000";
     if (question.form == "N") return call + " " + std::to_string(100 * a);
