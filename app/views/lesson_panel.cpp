@@ -28,11 +28,11 @@ constexpr std::string_view kPickPixel = "Click a pixel on the canvas.", kPickTex
 constexpr std::string_view kTakePinned = "Take {}", kTakeTip = "Answer with what is pinned",
                            kRemoveTip = "Take this out of the answer";
 constexpr std::string_view kNumberHint = "a number";
-constexpr std::array<std::string_view, 3> kHints{
-    "`→` steps on, `↓` steps finer, and the formula, the code and the texels follow.",
-    "Drag a corner, or hold `V` with the arrows. Click a pixel to pin it.",
-    "`L` lists the lessons, `F1` the keys.",
-};
+constexpr std::string_view kStepHint =
+                               "`→` steps on, `↓` steps finer, and the formula, the code and the texels follow.",
+                           kCornerHint = "Drag a corner, or hold `V` with the arrows. Click a pixel to pin it.",
+                           kSolidHint = "Drag with the right button to turn a solid, or hold `O` with the arrows.",
+                           kKeysHint = "`L` lists the lessons, `F1` the keys.";
 
 struct Place {
     float row, gap;  ///< a button's height; between rows
@@ -295,7 +295,8 @@ void draw_hints(const ViewContext& c, const Area& place) {
     for (const std::string& warning : c.state.document->warnings) {
         y += ui.prose("lesson/warning", {area.x, y, area.w, area.h}, ui::spans_of(warning, Role::error));
     }
-    for (const std::string_view hint : kHints)
+    const bool solids = !c.state.document->scene.meshes.empty();
+    for (const std::string_view hint : {kStepHint, solids ? kSolidHint : kCornerHint, kKeysHint})
         y += ui.prose("lesson/hint", {area.x, y, area.w, area.h}, ui::spans_of(hint));
     ui.end_scroll(y - area.y);
     ui.end_panel();
