@@ -201,7 +201,7 @@ struct EdgeEquations {
     /// What a plane, or a side, is at the sample.
     T affine(const Pixel& p, const T& x, const T& y, const T& k) const {
         if (!quirk.float_pixels) return p.x * x + p.y * y + k;
-        return single(single(single(p.x * single(x)) + single(p.y * single(y))) + single(k));
+        return single(single(single(p.x * single(x)) + single(p.y * single(y))) + single(k));  // float32
     }
     void address(const Setup& s, Pixel& p) const {
         planes(s, p);
