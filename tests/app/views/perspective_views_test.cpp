@@ -152,7 +152,7 @@ TEST(Code, DoesNotNameTheGuiltyLineWhileAQuestionAsksForIt) {
     Lesson lesson;
     lesson.method = "backward-projective";
     Beat beat;
-    beat.prediction = Prediction{"Which?", Prediction::Kind::line, {}, "guilty-line wrong_slope", "auto", 0};
+    beat.prediction = Prediction{"Which?", Prediction::Kind::line, {}, "guilty-line wrong_slope", "auto"};
     lesson.beats = {beat, Beat{}};
     document->lesson = lesson;
     ViewStage stage({.method = "backward-projective", .variant = "as-printed", .step = "t0/s2/y15/x65"}, document);

@@ -36,12 +36,9 @@ protected:
             if (n == 1)
                 beat.prediction = Prediction{"$P_1$ and $P_2$ are exchanged. What is drawn?",
                                              Prediction::Kind::choice,
-                                             {"the same", "nothing", "the box"},
-                                             "",
-                                             "",
-                                             0};
-            if (n == 2) beat.prediction = Prediction{"Which pixel?", Prediction::Kind::pixel, {}, "", "", 0};
-            if (n == 3) beat.prediction = Prediction{"How many?", Prediction::Kind::number, {}, "", "", 0};
+                                             {"the same", "nothing", "the box"}};
+            if (n == 2) beat.prediction = Prediction{"Which pixel?", Prediction::Kind::pixel};
+            if (n == 3) beat.prediction = Prediction{"How many?", Prediction::Kind::number};
             lesson.beats.push_back(beat);
         }
         document->lesson = lesson;

@@ -166,7 +166,7 @@ TEST(Watertight, ASampleIsOnOneSideOfADiagonalInEveryNumberType) {
             });
             // Corners are in the order a, b, c and c, d, a: the diagonal is side C of both.
             for (const auto& [place, fate] : fates) {
-                const auto inside = [&](std::size_t n) { return fate[n] == Fate::written; };
+                const auto inside = [&fate = fate](std::size_t n) { return fate[n] == Fate::written; };
                 ASSERT_FALSE(inside(0) && inside(1))
                     << format.id << ", seed " << seed << ": " << place.first << ", " << place.second << " twice";
                 ASSERT_FALSE(fate[0] == Fate::outside_edge_c && fate[1] == Fate::outside_edge_c)
