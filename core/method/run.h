@@ -116,14 +116,25 @@ template <template <class, class> class M, class T>
     }));
 }
 
+template <template <class, class> class M, class T, auto fields>
+Fate paint_any(const Job& job, const Window& part, int shape, Layer& layer) {
+    const auto method = make<M, T>(job, fields, WindowTrace(part));
+    return method.draw(job.corners, layer.put(shape, job.half, [](const auto& texel) { return colour_of(texel); }));
+}
+template <template <class, class> class M, class T, auto fields>
+[[gnu::flatten]] Fate paint_flat(const Job& job, const Window& part, int shape, Layer& layer) {
+    return paint_any<M, T, fields>(job, part, shape, layer);
+}
+
 template <template <class, class> class M, auto fields>
 Fate paint(NumberFormat format, const Job& job, const Window& part, int shape, Layer& layer) {
     return with_type(format, [&](auto type) {
         using T = decltype(type);
-        if constexpr (std::floating_point<T>)
-            if (job.quirks == 0) return paint_corrected<M, T>(job, part, shape, layer);
-        const auto method = make<M, T>(job, fields, WindowTrace(part));
-        return method.draw(job.corners, layer.put(shape, job.half, [](const auto& texel) { return colour_of(texel); }));
+        if constexpr (!std::floating_point<T>)
+            return paint_any<M, T, fields>(job, part, shape, layer);
+        else
+            return job.quirks == 0 ? paint_corrected<M, T>(job, part, shape, layer)
+                                   : paint_flat<M, T, fields>(job, part, shape, layer);
     });
 }
 

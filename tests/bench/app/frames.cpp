@@ -3,6 +3,7 @@
 // there.
 //   frames
 //   frames turning    only the solids
+//   frames 10         only the lessons whose id begins so
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -160,9 +161,12 @@ void steps_in_large_scene(const char* what, float zoom) {
 int main(int argc, char** argv) {
     using namespace texelscope;
     const bool only_turning = argc > 1 && std::strcmp(argv[1], "turning") == 0;
+    const std::string_view wanted = argc > 1 && !only_turning ? argv[1] : "";
     std::vector<Error> faults;
     if (!only_turning)
-        for (const Lesson& lesson : built_in_lessons(faults)) lesson.drag == "none" ? step_in(lesson) : drag_in(lesson);
+        for (const Lesson& lesson : built_in_lessons(faults))
+            if (lesson.id.starts_with(wanted)) lesson.drag == "none" ? step_in(lesson) : drag_in(lesson);
+    if (!wanted.empty()) return faults.empty() ? 0 : 1;
     turn_in("turning a cube, 640x480", Shape3d::cube, 1.2F);
     turn_in("turning a dodecahedron, 640x480", Shape3d::dodecahedron, 2.4F);
     turn_in("turning a torus, 640x480", Shape3d::torus, 1.2F);
