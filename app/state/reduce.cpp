@@ -19,14 +19,14 @@ constexpr std::string_view kLastBeat = "The lesson ends here. L opens the list o
 constexpr std::string_view kConvex = "This method takes convex polygons: the corner stays where it would still be one.";
 constexpr std::string_view kSolid =
     "A solid's corners move with it: hold O and press arrows, or drag with the right button.";
+constexpr std::string_view kNoRandom = "This scene has no random triangles.";
+constexpr std::string_view kExactRace = "Exact numbers are no racers: they say what is right. Choose another format.";
 constexpr float kLeastRatio = 0.05F, kMostRatio = 4;       ///< of jelly cubes
 constexpr float kLeastFocal = 1, kMostFocal = 1 << 16;     ///< [px]
 constexpr std::int64_t kLongestPeriod = 1 << 20;           ///< of all textures that move together [frames]
 constexpr double kMostDegrees = 360;                       ///< of one turn
 constexpr float kLeastDepth = 1.0F / 64, kMostDepth = 64;  ///< of a corner
-constexpr std::string_view kNoRandom = "This scene has no random triangles.";
-constexpr std::string_view kExactRace = "Exact numbers are no racers: they say what is right. Choose another format.";
-constexpr float kFarthest = 1e6F;  ///< a corner is kept within this of the origin [px]
+constexpr float kFarthest = 1e6F;                          ///< a corner is kept within this of the origin [px]
 
 /// The step and the level that a lesson's beats up to this one ask for.
 [[nodiscard]] std::pair<Path, Level> step_asked(const State& state, int beat) {

@@ -20,15 +20,16 @@ using ui::Area;
 using ui::Face;
 using ui::Role;
 
-constexpr std::string_view kTitle = "Race", kNone =
-                                                "This scene has no random triangles. Lesson 17 has; in a scene file "
-                                                "they are `\"random\": { \"triangles\": 200, \"size\": 60 }`.";
+constexpr std::string_view kTitle = "Race";
+constexpr std::string_view kNone =
+    "This scene has no random triangles. Lesson 17 has; in a scene file they are "
+    "`\"random\": { \"triangles\": 200, \"size\": 60 }`.";
 constexpr std::string_view kCount = "triangles", kCountTip = "How many random triangles are drawn";
 constexpr std::string_view kSize = "size [px]",
                            kSizeTip = "The side of the square that holds a triangle [px]; it covers 11/144 of it";
 constexpr std::string_view kSeed = "seed", kSeedTip = "Another number is another throw of the dice";
 constexpr std::string_view kScene = "{} triangles write {} pixels: {} each",
-                           kPart = "{} triangles write about {} pixels: {} each; {} are counted";
+                           kPart = "{} triangles, about {} pixels: {} each; {} counted";
 constexpr std::string_view kCounted = "Operations, counted", kShare = "set-up", kTriangle = "a triangle",
                            kPixel = "a pixel";
 constexpr std::string_view kCountedTip =
@@ -40,10 +41,9 @@ constexpr std::string_view kProgress = "{} of {}", kNotYet = "Run times them: ab
 constexpr std::string_view kFrame = "ms", kPixels = "Mpx/s", kTriangles = "tri/s";
 constexpr std::string_view kMeasuredTip =
     "{}: {} ms for a frame, of these {} ms for set-up; {} million pixels and {} triangles a second. The fastest round";
-constexpr std::string_view k1995 = "1995, 100 ns a pixel",
-                           k1995Tip =
-                               "A Pentium of 100 MHz at 10 cycles a pixel, for these {} pixels; set-up is not in "
-                               "it";
+constexpr std::string_view k1995 = "1995, 100 ns a pixel";
+constexpr std::string_view k1995Tip =
+    "A Pentium of 100 MHz at 10 cycles a pixel, for these {} pixels; set-up is not in it";
 constexpr std::string_view kSecret = "Your answer first: the numbers follow.";
 constexpr std::array<std::string_view, 3> kGivenAway{"operations-order", "set-up-share", "frames-1995"};
 constexpr float kLeastTrack = 76;     ///< of a slider [px at 100 %]

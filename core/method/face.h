@@ -139,39 +139,42 @@ struct Samples {
     [[nodiscard]] bool empty() const { return plain(first >= last); }
 };
 
+/// The samples from `low` up to `high` that lie in [from, to), traced under the two names.
+template <class Method, Real T>
+void set_range(const Method& method, Samples<T>& s, Name first, Name last, const T& low, const T& high, int from,
+               int to, int line) {
+    using Int = IntegerOf<T>;
+    s.first = method.trace(first, greater(ceil(low - T(1) / 2), Int(from)), line);
+    s.last = method.trace(last, lesser(ceil(high - T(1) / 2), Int(to)), line);
+}
 /// The rows that an outline reaches, traced as first_row and last_row.
 template <class Method, Real T>
 [[nodiscard]] Samples<T> rows_of(const Method& method, const Outline<T>& outline, int line = __builtin_LINE()) {
-    using Int = IntegerOf<T>;
     const auto rows = outline.rows();
     Samples<T> s;
-    s.first = method.trace("first_row", greater(ceil(rows.low - T(1) / 2), Int(method.frame.y0)), line);
-    s.last = method.trace("last_row", lesser(ceil(rows.high - T(1) / 2), Int(method.frame.y1)), line);
+    set_range(method, s, "first_row", "last_row", rows.low, rows.high, method.frame.y0, method.frame.y1, line);
     return s;
 }
 /// The columns that an outline reaches, traced as first_column and last_column.
 template <class Method, Real T>
 [[nodiscard]] Samples<T> columns_of(const Method& method, const Outline<T>& outline, int line = __builtin_LINE()) {
-    using Int = IntegerOf<T>;
     const auto columns = outline.columns();
     Samples<T> s;
-    s.first = method.trace("first_column", greater(ceil(columns.low - T(1) / 2), Int(method.frame.x0)), line);
-    s.last = method.trace("last_column", lesser(ceil(columns.high - T(1) / 2), Int(method.frame.x1)), line);
+    set_range(method, s, "first_column", "last_column", columns.low, columns.high, method.frame.x0, method.frame.x1,
+              line);
     return s;
 }
 /// The samples of row j inside an outline, traced as Y, x_l, x_r, first and last.
 template <class Method, Real T>
 [[nodiscard]] Samples<T> row_of(const Method& method, const Outline<T>& outline, const IntegerOf<T>& j,
                                 int line = __builtin_LINE()) {
-    using Int = IntegerOf<T>;
     Samples<T> s;
     s.at = method.trace("Y", T(j) + T(1) / 2, line);
     const auto span = outline.row(s.at);
     if (span.empty) return s;
     const T left = method.trace("x_l", span.from, line);
     const T right = method.trace("x_r", span.to, line);
-    s.first = method.trace("first", greater(ceil(left - T(1) / 2), Int(method.frame.x0)), line);
-    s.last = method.trace("last", lesser(ceil(right - T(1) / 2), Int(method.frame.x1)), line);
+    set_range(method, s, "first", "last", left, right, method.frame.x0, method.frame.x1, line);
     return s;
 }
 /// The samples of column i inside an outline, traced as X, y_t, y_b, first and last.
