@@ -35,6 +35,7 @@ struct CanvasPicture {
     Window window;  ///< one cell for each sample in it
     Grid<CanvasCell> cells;
     std::uint64_t version = 0;  ///< another whenever a cell differs
+    bool ghosts = false;        ///< some cell's note is Note::ghost
 };
 
 /// One child of a unit in a lane of the timeline.

@@ -54,15 +54,17 @@ const CanvasPicture& Derived::canvas(const Window& wanted) const {
     canvas = canvas_before(current, window);
     if (current >= 0) {
         const Cursor& cursor = cache_->state.cursor;
-        each_sample_until(drawing(), first_needed(), cursor.step, window, [&](int n, const Sample& s) {
-            if (n != current || unfinished(cursor, visit(), n, s)) return;
-            const glm::ivec2 at = cell_of(window, s);
-            CanvasCell& cell = canvas->cells.at(at.x, at.y);
-            cell.visited = true;
-            if (s.fate != Fate::written) return;
-            cell.now = blended(cell.now, s.colour, drawing().is_half(n));
-            cell.written = true;
-        });
+        LineCounts counts =
+            each_sample_until(drawing(), first_needed(), cursor.step, window, [&](int n, const Sample& s) {
+                if (n != current || unfinished(cursor, visit(), n, s)) return;
+                const glm::ivec2 at = cell_of(window, s);
+                CanvasCell& cell = canvas->cells.at(at.x, at.y);
+                cell.visited = true;
+                if (s.fate != Fate::written) return;
+                cell.now = blended(cell.now, s.colour, drawing().is_half(n));
+                cell.written = true;
+            });
+        if (window == Window{scene().framebuffer.rect(), 1}) cache_->of_step.counts = std::move(counts);
     }
     canvas->version = ++cache_->version;
     return *canvas;
@@ -96,6 +98,7 @@ const CanvasPicture& Derived::canvas_before(int shape, const Window& window) con
                        cell.later = cell.will_be_written ? later.colour : clear;
                        return cell;
                    });
+    bool ghosts = false;
     if (shape >= 0) {
         each_sample(drawing(), first_needed(), shape + 1, window, [&](int n, const Sample& s) {
             if (n != shape) return;
@@ -104,9 +107,10 @@ const CanvasPicture& Derived::canvas_before(int shape, const Window& window) con
             cell.will_be_visited = true;
             cell.fate = s.fate;
             cell.note = s.note;
+            ghosts = ghosts || s.note == Note::ghost;
         });
     }
-    before = {shape, {window, std::move(cells), 0}};
+    before = {shape, {window, std::move(cells), 0, ghosts}};
     return before->canvas;
 }
 

@@ -11,13 +11,19 @@ namespace {
 constexpr std::size_t kMostLinked =
     20000;  ///< pixels of one selection: more light up nothing that an eye could tell apart
 
+struct PixelFate {
+    glm::ivec2 pixel;
+    Fate fate;
+};
+
 /// The lines that run for samples of each fate, seen at the first sample of that fate.
-[[nodiscard]] std::map<Fate, std::set<int>> lines_by_fate(const Derived& derived, const std::vector<Sample>& samples) {
+[[nodiscard]] std::map<Fate, std::set<int>> lines_by_fate(const Derived& derived,
+                                                          const std::vector<PixelFate>& samples) {
     std::map<Fate, std::set<int>> lines;
-    for (const Sample& s : samples) {
-        if (lines.contains(s.fate)) continue;
-        std::set<int>& own = lines[s.fate];
-        const auto path = derived.steps().at_pixel(derived.shape(), s.x, s.y);
+    for (const auto& [pixel, fate] : samples) {
+        if (lines.contains(fate)) continue;
+        std::set<int>& own = lines[fate];
+        const auto path = derived.steps().at_pixel(derived.shape(), pixel.x, pixel.y);
         if (!path) continue;
         const Visit& visit = derived.steps().at(*path);
         for (const std::int32_t n : visit.unit().expressions)
@@ -55,12 +61,11 @@ std::optional<Path> Derived::last_write(glm::ivec2 pixel) const {
 Highlight Derived::highlight(const Selection& selection) const {
     Highlight h;
     const int current = shape();
-    std::vector<Sample> samples;
-    if (current >= 0 && (selection.kind == Selection::Kind::texel || selection.kind == Selection::Kind::line)) {
-        each_sample(drawing(), current, current + 1, {scene().framebuffer.rect(), 1}, [&](int, const Sample& s) {
-            if (samples.size() < kMostLinked) samples.push_back(s);
-        });
-    }
+    const auto each_of_shape = [&](auto&& put) {
+        if (current < 0) return;
+        each_sample(drawing(), current, current + 1, {scene().framebuffer.rect(), 1},
+                    [&](int, const Sample& s) { put(s, glm::ivec2(s.x, s.y)); });
+    };
     switch (selection.kind) {
         case Selection::Kind::none: break;
         case Selection::Kind::pixel: {
@@ -77,10 +82,11 @@ Highlight Derived::highlight(const Selection& selection) const {
         }
         case Selection::Kind::texel:
             h.texels.push_back(selection.at);
-            for (const Sample& s : samples) {
-                if (s.fate == Fate::written && s.column == selection.at.x && s.row == selection.at.y)
-                    h.pixels.emplace_back(s.x, s.y);
-            }
+            each_of_shape([&](const Sample& s, glm::ivec2 pixel) {
+                if (s.fate == Fate::written && s.column == selection.at.x && s.row == selection.at.y &&
+                    h.pixels.size() < kMostLinked)
+                    h.pixels.push_back(pixel);
+            });
             break;
         case Selection::Kind::name:
             h.names.push_back(selection.name);
@@ -98,10 +104,14 @@ Highlight Derived::highlight(const Selection& selection) const {
             for (const Named& named : visit().tape.names) {
                 if (named.line == selection.line) h.names.push_back(named.name.text());
             }
+            std::vector<PixelFate> samples;
+            samples.reserve(kMostLinked);
+            each_of_shape([&](const Sample& s, glm::ivec2 pixel) {
+                if (samples.size() < kMostLinked) samples.push_back({pixel, s.fate});
+            });
             const auto lines = lines_by_fate(*this, samples);
-            for (const Sample& s : samples) {
-                if (lines.at(s.fate).contains(selection.line)) h.pixels.emplace_back(s.x, s.y);
-            }
+            for (const auto& [pixel, fate] : samples)
+                if (lines.at(fate).contains(selection.line)) h.pixels.push_back(pixel);
             break;
         }
         case Selection::Kind::colour: {

@@ -98,7 +98,8 @@ void brackets(const Sheet& sheet, const ui::Area& place, ui::Color color, float 
 }  // namespace
 
 void draw_ghosts(const Sheet& sheet) {
-    if (pixel_question_ahead(sheet.ctx.state)) return;  // it would give the answer away
+    // A question's answer is not given away.
+    if (!sheet.picture.ghosts || pixel_question_ahead(sheet.ctx.state)) return;
     const Window& window = sheet.picture.window;
     const Grid<CanvasCell>& cells = sheet.picture.cells;
     for (int y = 0; y < cells.height(); ++y) {

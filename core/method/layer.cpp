@@ -94,6 +94,7 @@ void draw_over(const Drawing& drawing, int first, int last, Layer& layer) {
 
 Layer layer_of(const Drawing& drawing, int last, const Window& window, const Layer* more) {
     Layer layer(window, drawing.scene().framebuffer.clear);
+    if (last <= 0) return layer;
     if (drawing.scene().depth == Depth::less) return draw_by_depth(drawing, last, layer), layer;
     if (drawing.has_half()) return draw_over(drawing, 0, last, layer), layer;
     // What no later shape wrote stands there already; a later one's cells are drawn again.
@@ -117,6 +118,7 @@ Layer layer_of(const Drawing& drawing, int last, const Window& window, const Lay
         tiles.each_open(drawing.reach(n),
                         [&](const Window& part) { method.paint(drawing.settings().format, job, part, n, layer); });
     }
+    if (more == nullptr) return layer;
     for (LayerCell* cell = layer.cells().data(); cell != layer.cells().data() + layer.cells().size(); ++cell)
         if (cell->shape == kBlank) cell->shape = -1;
     return layer;

@@ -1,6 +1,7 @@
 // Runs a method as far as a step and no further: the picture as it stands there, and how often each line ran.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -14,12 +15,19 @@ using LineCounts = std::vector<std::int64_t>;
 
 /// How far a partial run has come. Shared by the copies of its trace.
 struct Progress {
+    static constexpr std::size_t kMostLines = 2048;  ///< of a listing; later ones are not counted
+
     Path target;  ///< the unit that runs last; empty: run everything
-    LineCounts counts;
+    LineCounts counts = LineCounts(kMostLines), uncounted = counts;
+    std::int64_t* counting = counts.data();  ///< or `uncounted`, past the target's stage
     int stage = -1;
     std::size_t depth = 2;  ///< of the next loop on the way to the target
     bool at_edge = true;    ///< the rounds entered so far are the target's own
 
+    void enter_stage() {
+        ++stage, depth = 2, at_edge = true;
+        if (stage > target_stage()) counting = uncounted.data();
+    }
     [[nodiscard]] int target_stage() const {
         return target.parts.size() < 2 ? 1 << 20 : static_cast<int>(target.parts[1].index);
     }
@@ -79,13 +87,10 @@ struct PartialTrace {
 
     template <class V>
     V operator()(Name, V value, int line = __builtin_LINE()) const {
-        if (progress->stage > progress->target_stage()) return value;
-        LineCounts& counts = progress->counts;
-        if (static_cast<std::size_t>(line) >= counts.size()) counts.resize(static_cast<std::size_t>(line) + 1);
-        ++counts[static_cast<std::size_t>(line)];
+        ++progress->counting[std::min(static_cast<std::size_t>(line), Progress::kMostLines - 1)];
         return value;
     }
-    void stage(const char*) const { ++progress->stage, progress->depth = 2, progress->at_edge = true; }
+    void stage(const char*) const { progress->enter_stage(); }
     Fate fate(Fate fate) const { return fate; }
     PartialRange each(char letter, Integer first, Integer last) const {
         return limited(letter, first, last, 1, [&](Integer end) { return window.each(letter, first, end); });
