@@ -203,6 +203,8 @@ private:
     [[nodiscard]] std::optional<glm::ivec2> whole_pair(std::string_view first, std::string_view second) const;
     /// The canvas as it is before a shape's first sample, and which samples the shape is going to visit.
     [[nodiscard]] const CanvasPicture& canvas_before(int shape, const Window& window) const;
+    /// The same of the current shape, where the canvas was last asked for the frame's every pixel; else null.
+    [[nodiscard]] const CanvasPicture* whole_frame_in_view() const;
 
     struct Cache;
     std::unique_ptr<Cache> cache_;

@@ -67,6 +67,7 @@ struct Derived::Cache {
     };
     OfDrawing of_drawing;
     OfStep of_step;
+    Window in_view;  ///< what the canvas was last asked for
     std::uint64_t version = 0;
 };
 

@@ -48,6 +48,7 @@ double Derived::frame_time() const {
 
 const CanvasPicture& Derived::canvas(const Window& wanted) const {
     const Window window{intersection(wanted.rect, scene().framebuffer.rect()), std::max(1, wanted.stride)};
+    cache_->in_view = window;
     auto& canvas = cache_->of_step.canvas;
     if (canvas && canvas->window == window) return *canvas;
     const int current = shape();
@@ -112,6 +113,11 @@ const CanvasPicture& Derived::canvas_before(int shape, const Window& window) con
     }
     before = {shape, {window, std::move(cells), 0, ghosts}};
     return before->canvas;
+}
+
+const CanvasPicture* Derived::whole_frame_in_view() const {
+    const Window& window = cache_->in_view;
+    return window == Window{scene().framebuffer.rect(), 1} ? &canvas_before(shape(), window) : nullptr;
 }
 
 const Grid<std::uint8_t>& Derived::hits(const Window& window) const {

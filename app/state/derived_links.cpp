@@ -106,9 +106,17 @@ Highlight Derived::highlight(const Selection& selection) const {
             }
             std::vector<PixelFate> samples;
             samples.reserve(kMostLinked);
-            each_of_shape([&](const Sample& s, glm::ivec2 pixel) {
-                if (samples.size() < kMostLinked) samples.push_back({pixel, s.fate});
-            });
+            if (const CanvasPicture* all = whole_frame_in_view(); all != nullptr && current >= 0) {
+                const glm::ivec2 origin(all->window.rect.x0, all->window.rect.y0);
+                for (int y = 0; y < all->cells.height(); ++y)
+                    for (int x = 0; x < all->cells.width() && samples.size() < kMostLinked; ++x)
+                        if (const CanvasCell& cell = all->cells.at(x, y); cell.will_be_visited)
+                            samples.push_back({origin + glm::ivec2(x, y), cell.fate});
+            } else {
+                each_of_shape([&](const Sample& s, glm::ivec2 pixel) {
+                    if (samples.size() < kMostLinked) samples.push_back({pixel, s.fate});
+                });
+            }
             const auto lines = lines_by_fate(*this, samples);
             for (const auto& [pixel, fate] : samples)
                 if (lines.at(fate).contains(selection.line)) h.pixels.push_back(pixel);
