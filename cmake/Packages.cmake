@@ -10,6 +10,8 @@ find_package(md4c REQUIRED)
 find_package(Boost REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(Threads REQUIRED)
+find_package(hwy REQUIRED)
+find_package(TBB REQUIRED)
 
 # stb_image and stb_image_write: Debian compiles them into one library.
 find_library(TEXELSCOPE_STB stb REQUIRED)
