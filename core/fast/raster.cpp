@@ -1,0 +1,63 @@
+#include "core/fast/raster.h"
+
+#include <vector>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/fast/raster.cpp"
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "core/base/assert.h"
+#include "core/fast/dispatch.h"
+#include "core/fast/rows-inl.h"
+
+#if HWY_ONCE
+namespace texelscope {
+namespace {
+
+struct Target {
+    std::int64_t bits;  ///< Highway's; a lower bit is a better target
+    DrawAll draw;
+};
+/// Filled before main: a loop over the targets is compiled for each of them.
+std::vector<Target>& targets() {
+    static std::vector<Target> all;
+    return all;
+}
+
+[[nodiscard]] std::int64_t bits_of(SimdLevel level) {
+    switch (level) {
+        case SimdLevel::sse4: return HWY_SSE4;
+        case SimdLevel::avx2: return HWY_AVX2;
+        case SimdLevel::avx512: return HWY_AVX3;
+        case SimdLevel::best: break;
+    }
+    return ~std::int64_t{0};
+}
+
+/// The best of the level's targets that the machine has; null where there is none.
+[[nodiscard]] DrawAll find_draw(SimdLevel level) {
+    const Target* best = nullptr;
+    for (const Target& target : targets())
+        if ((target.bits & hwy::SupportedTargets() & bits_of(level)) != 0 &&
+            (best == nullptr || target.bits < best->bits))
+            best = &target;
+    return best != nullptr ? best->draw : nullptr;
+}
+
+}  // namespace
+
+RegisterTarget::RegisterTarget(std::int64_t bits, DrawAll draw) { targets().push_back({bits, draw}); }
+
+bool is_supported(SimdLevel level) { return find_draw(level) != nullptr; }
+
+void draw(const RasterTarget& target, const RasterTexture& texture, const RasterJob& job,
+          const RasterSettings& settings, RasterCounters& counters) {
+    const DrawAll draw_all = find_draw(settings.level);
+    TEXELSCOPE_ASSERT(draw_all != nullptr);
+    draw_all(target, texture, job, counters);
+}
+
+}  // namespace texelscope
+#endif
