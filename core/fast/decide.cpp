@@ -29,21 +29,32 @@ int first_pixel(const Vertex& a, const Vertex& b, int row) {
     return static_cast<int>(whole + (above > whole * below ? 1 : 0));
 }
 
-TexelDecider::TexelDecider(std::span<const Vertex, 3> corners, const RasterJob& job, const RasterTexture& texture,
-                           RasterCounters& counters)
-    : job_(&job), texture_(&texture), counters_(&counters) {
-    std::copy(corners.begin(), corners.end(), corners_.begin());
-    if (!job.perspective)
-        for (Vertex& corner : corners_) corner.w = 1;
+std::uint32_t place_of(const RasterTexture& texture, const TexelIndex& texel) {
+    return static_cast<std::uint32_t>(wrap_index(texel.v, texture.height, texture.wrap)) *
+               static_cast<std::uint32_t>(texture.width) +
+           static_cast<std::uint32_t>(wrap_index(texel.u, texture.width, texture.wrap));
 }
 
-std::uint32_t TexelDecider::at(int x, int y) {
-    ++counters_->in_double;
-    ++counters_->in_whole;
-    if (!exact_) exact_.emplace(corners_, job_->u_texels, job_->v_texels);
-    const TexelIndex texel = exact_->texel(x, y);
-    return static_cast<std::uint32_t>(wrap_index(texel.v, texture_->height, Wrap::repeat) * texture_->width +
-                                      wrap_index(texel.u, texture_->width, Wrap::repeat));
+const ExactTriangle& Decider::exact() {
+    if (!exact_) {
+        const RasterJob& job = *canvas_->job;
+        const Vertex* const p = canvas_->corners(triangle_);
+        std::array<Vertex, 3> corners{p[0], p[1], p[2]};
+        if (!job.perspective)
+            for (Vertex& corner : corners) corner.w = 1;
+        exact_.emplace(corners, job.u_texels, job.v_texels);
+    }
+    return *exact_;
+}
+
+std::uint32_t Decider::texel(int x, int y) {
+    ++canvas_->counters->in_whole;
+    return place_of(canvas_->texture, exact().texel(x + canvas_->target.x0, y + canvas_->target.y0));
+}
+
+float Decider::depth(int x, int y) {
+    ++canvas_->counters->in_whole;
+    return exact().depth(x + canvas_->target.x0, y + canvas_->target.y0);
 }
 
 }  // namespace texelscope

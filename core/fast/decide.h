@@ -1,4 +1,4 @@
-// What the fast rasterizer asks where its own arithmetic is in doubt.
+// What the fast rasterizer asks where double is in doubt.
 #pragma once
 
 #include <array>
@@ -6,27 +6,30 @@
 #include <span>
 
 #include "core/exact/triangle.h"
-#include "core/fast/raster.h"
+#include "core/fast/canvas.h"
 
 namespace texelscope {
 
 /// The first pixel of row `row` at or right of the line through a and b: ceil(x(row + 1/2) - 1/2), by 128-bit division.
-/// Requires coordinates that are 0 or from 2^-6 to 2^21, and a.y != b.y.
+/// Requires coordinates that are 0 or from 2^-6 to 2^21, and a.y != b.y. All absolute.
 [[nodiscard]] int first_pixel(const Vertex& a, const Vertex& b, int row);
 
-/// One triangle's texels, decided as cheaply as may be.
-class TexelDecider {
+/// The place in the texture of a texel before wrapping.
+[[nodiscard]] std::uint32_t place_of(const RasterTexture& texture, const TexelIndex& texel);
+
+/// One triangle, decided in whole numbers; these are made only if somebody asks.
+class Decider {
 public:
-    TexelDecider(std::span<const Vertex, 3> corners, const RasterJob& job, const RasterTexture& texture,
-                 RasterCounters& counters);
-    /// The texel's place in the texture.
-    [[nodiscard]] std::uint32_t at(int x, int y);
+    Decider(const Canvas& canvas, int triangle) : canvas_(&canvas), triangle_(triangle) {}
+
+    /// The texel's place in the texture, and z, of the pixel (x, y) of the target.
+    [[nodiscard]] std::uint32_t texel(int x, int y);
+    [[nodiscard]] float depth(int x, int y);
+    [[nodiscard]] const ExactTriangle& exact();
 
 private:
-    std::array<Vertex, 3> corners_;
-    const RasterJob* job_;
-    const RasterTexture* texture_;
-    RasterCounters* counters_;
+    const Canvas* canvas_;
+    int triangle_;
     std::optional<ExactTriangle> exact_;
 };
 

@@ -3,11 +3,11 @@
 
 #include <cstdint>
 
-#include "core/fast/raster.h"
+#include "core/fast/canvas.h"
 
 namespace texelscope {
 
-using DrawAll = void (*)(const RasterTarget&, const RasterTexture&, const RasterJob&, RasterCounters&);
+using DrawAll = void (*)(const Canvas&);
 
 struct RegisterTarget {
     RegisterTarget(std::int64_t bits, DrawAll draw);  ///< `bits` as in Highway's HWY_TARGET

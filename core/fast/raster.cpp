@@ -1,5 +1,7 @@
 #include "core/fast/raster.h"
 
+#include <bit>
+#include <optional>
 #include <vector>
 
 #undef HWY_TARGET_INCLUDE
@@ -10,7 +12,7 @@
 
 #include "core/base/assert.h"
 #include "core/fast/dispatch.h"
-#include "core/fast/rows-inl.h"
+#include "core/fast/triangles-inl.h"
 
 #if HWY_ONCE
 namespace texelscope {
@@ -46,6 +48,15 @@ std::vector<Target>& targets() {
     return best != nullptr ? best->draw : nullptr;
 }
 
+[[nodiscard]] int log2_of(int size) { return std::countr_zero(static_cast<unsigned>(size)); }
+
+/// Sizes of 1 leave no bits to shift by.
+[[nodiscard]] Addressing addressing_of(const RasterTexture& texture) {
+    if (texture.wrap == Wrap::clamp) return Addressing::clamped;
+    const auto power = [](int size) { return size > 1 && (size & (size - 1)) == 0; };
+    return power(texture.width) && power(texture.height) ? Addressing::powers : Addressing::any_size;
+}
+
 }  // namespace
 
 RegisterTarget::RegisterTarget(std::int64_t bits, DrawAll draw) { targets().push_back({bits, draw}); }
@@ -55,8 +66,22 @@ bool is_supported(SimdLevel level) { return find_draw(level) != nullptr; }
 void draw(const RasterTarget& target, const RasterTexture& texture, const RasterJob& job,
           const RasterSettings& settings, RasterCounters& counters) {
     const DrawAll draw_all = find_draw(settings.level);
-    TEXELSCOPE_ASSERT(draw_all != nullptr);
-    draw_all(target, texture, job, counters);
+    TEXELSCOPE_ASSERT(draw_all != nullptr && (!job.depth || target.depth != nullptr));
+    if (job.vertices.size() < 3) return;
+    std::optional<DepthTiles> tiles;
+    if (job.depth) tiles.emplace(target);
+    Canvas canvas{.target = target,
+                  .texture = texture,
+                  .job = &job,
+                  .settings = &settings,
+                  .counters = &counters,
+                  .tiles = tiles ? &*tiles : nullptr,
+                  .addressing = addressing_of(texture),
+                  .u_unit = 0x1p32 * job.u_texels / texture.width,
+                  .v_unit = 0x1p32 * job.v_texels / texture.height};
+    if (canvas.addressing == Addressing::powers)
+        canvas.u_bits = log2_of(texture.width), canvas.v_bits = log2_of(texture.height);
+    draw_all(canvas);
 }
 
 }  // namespace texelscope

@@ -19,18 +19,26 @@ struct RasterTarget {
     std::uint32_t* pixels = nullptr;
     std::ptrdiff_t pitch = 0;   ///< from one row to the next [px]
     int width = 0, height = 0;  ///< [px], at most kMaxSize
+    int x0 = 0, y0 = 0;         ///< the pixel at the top left, absolute
+    float* depth = nullptr;     ///< as `pixels` lie; needed where the job tests depth
 };
 
 struct RasterTexture {
     const std::uint32_t* texels = nullptr;  ///< row-major from the top left
     int width = 0, height = 0;              ///< [texels]
+    Wrap wrap = Wrap::repeat;               ///< mask: both sizes are powers of two
 };
 
+/// What each value of a channel becomes under a light.
+using ChannelTable = std::array<std::uint32_t, 256>;
+
 struct RasterJob {
-    std::span<const Vertex> vertices;  ///< three a triangle
-    int u_texels = 1, v_texels = 1;    ///< how many texels one unit of u and v is
-    bool perspective = false;          ///< else every w counts as 1
-    bool cull_back = false;
+    std::span<const Vertex> vertices;     ///< three a triangle
+    int u_texels = 1, v_texels = 1;       ///< how many texels one unit of u and v is
+    bool perspective = false;             ///< else every w counts as 1
+    bool cull_back = false;               ///< of core/conventions.h
+    bool depth = false;                   ///< LESS, against z rounded to float32
+    const ChannelTable* light = nullptr;  ///< for the lowest three bytes of a texel; null: they stay
 };
 
 /// The instructions to use; each gives the same pixels.
@@ -44,20 +52,52 @@ inline constexpr std::array<SimdLevelInfo, 3> kSimdLevels{
 /// Whether this machine has the level's instructions, and the program was built for them.
 [[nodiscard]] bool is_supported(SimdLevel level);
 
+/// Work that need not be done. The pixels are the same without any of them.
+enum class RasterSkip : std::uint8_t {
+    off_screen,  ///< triangles outside the target
+    no_sample,   ///< triangles between samples
+    zero_area,   ///< triangles without area
+    back_face,   ///< culled triangles: before they are set up
+    hidden,      ///< triangles behind all that stands in the tiles that they meet (hierarchical z)
+    equal_w,     ///< perspective where all corners are equally far
+};
+struct RasterSkipInfo {
+    RasterSkip skip;
+    std::string_view id, sentence;
+};
+inline constexpr std::array<RasterSkipInfo, 6> kRasterSkips{{
+    {RasterSkip::off_screen, "off-screen", "Triangles outside the picture are dropped before they are set up."},
+    {RasterSkip::no_sample, "no-sample", "Triangles whose box lies between samples are dropped before set-up."},
+    {RasterSkip::zero_area, "zero-area", "Triangles without area are dropped before set-up."},
+    {RasterSkip::back_face, "back-face", "Triangles seen from behind are dropped before set-up."},
+    {RasterSkip::hidden, "hidden", "Triangles behind the farthest depth of every 16 x 16 tile they meet are dropped."},
+    {RasterSkip::equal_w, "equal-w", "Triangles with equal w at all corners are drawn without a division a pixel."},
+}};
+
 struct RasterSettings {
     SimdLevel level = SimdLevel::best;  ///< must be supported
+    std::uint32_t skips = ~0U;          ///< bit n: RasterSkip n is on
+
+    [[nodiscard]] constexpr bool skip(RasterSkip which) const {
+        return (skips >> static_cast<unsigned>(which) & 1U) != 0;
+    }
 };
 
 /// How often each decision was made, and what for.
 struct RasterCounters {
-    std::uint64_t triangles = 0, not_finite = 0, off_screen = 0, zero_area = 0, culled = 0;
+    std::uint64_t triangles = 0;  ///< looked at
+    std::uint64_t drawn = 0;      ///< set up
+    std::array<std::uint64_t, kRasterSkips.size()> skipped{};
     std::uint64_t slow = 0;       ///< triangles whose coordinates are not exact in double's differences
-    std::uint64_t samples = 0;    ///< written, those written again counted again
+    std::uint64_t samples = 0;    ///< inside a triangle; those behind others count, too
     std::uint64_t crossings = 0;  ///< ends of rows decided again, in 128 bits
     std::uint64_t in_double = 0;  ///< texels decided again
-    std::uint64_t in_whole = 0;   ///< texels that double could not decide either
+    std::uint64_t in_whole = 0;   ///< texels and depths that double could not decide either
+
+    [[nodiscard]] std::uint64_t& of(RasterSkip skip) { return skipped[static_cast<std::size_t>(skip)]; }
 };
 
+/// Requires finite vertices, w > 0 where the job is in perspective.
 void draw(const RasterTarget& target, const RasterTexture& texture, const RasterJob& job,
           const RasterSettings& settings, RasterCounters& counters);
 

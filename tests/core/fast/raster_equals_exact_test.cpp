@@ -30,23 +30,40 @@ std::string text_of(std::span<const Vertex> corners) {
 struct Addresses {
     std::vector<std::uint32_t> texels;
     RasterTexture texture;
-    Addresses(int width, int height) : texels(static_cast<std::size_t>(width * height)) {
+    Addresses(int width, int height, Wrap wrap) : texels(static_cast<std::size_t>(width * height)) {
         for (std::size_t n = 0; n < texels.size(); ++n) texels[n] = static_cast<std::uint32_t>(n);
-        texture = {texels.data(), width, height};
+        texture = {texels.data(), width, height, wrap};
     }
 };
 
-using Pixels = std::vector<std::uint32_t>;
+struct Picture {
+    std::vector<std::uint32_t> pixels = std::vector<std::uint32_t>(std::size_t{kPitch} * kHeight, kClear);
+    std::vector<float> depth = std::vector<float>(std::size_t{kPitch} * kHeight, 1.0F);
+    friend bool operator==(const Picture&, const Picture&) = default;
+};
 
-Pixels drawn(const RasterTexture& texture, const RasterJob& job, RasterCounters& counters,
-             const RasterSettings& settings = {}) {
-    Pixels pixels(std::size_t{kPitch} * kHeight, kClear);
-    draw({pixels.data(), kPitch, kWidth, kHeight}, texture, job, settings, counters);
-    return pixels;
+/// The target's top left.
+struct Origin {
+    int x = 0, y = 0;
+};
+
+Picture drawn(const RasterTexture& texture, const RasterJob& job, RasterCounters& counters,
+              const RasterSettings& settings = {}, Origin origin = {}) {
+    Picture picture;
+    draw({picture.pixels.data(), kPitch, kWidth, kHeight, origin.x, origin.y, picture.depth.data()}, texture, job,
+         settings, counters);
+    return picture;
 }
 
-Pixels decided(const RasterTexture& texture, const RasterJob& job) {
-    Pixels pixels(std::size_t{kPitch} * kHeight, kClear);
+std::uint32_t lit(std::uint32_t texel, const ChannelTable* light) {
+    if (light == nullptr) return texel;
+    std::uint32_t sum = texel & 0xFF000000U;
+    for (int shift = 0; shift < 24; shift += 8) sum += (*light)[texel >> shift & 255U] << shift;
+    return sum;
+}
+
+Picture decided(const RasterTexture& texture, const RasterJob& job, Origin origin = {}) {
+    Picture picture;
     for (std::size_t n = 0; n < job.vertices.size(); n += 3) {
         std::array<Vertex, 3> corners{job.vertices[n], job.vertices[n + 1], job.vertices[n + 2]};
         if (!job.perspective)
@@ -54,16 +71,22 @@ Pixels decided(const RasterTexture& texture, const RasterJob& job) {
         const ExactTriangle triangle(corners, job.u_texels, job.v_texels);
         if (triangle.winding() == 0 || (job.cull_back && triangle.winding() < 0)) continue;
         for (int y = 0; y < kHeight; ++y) {
-            const PixelRange row = triangle.row(y, 0, kWidth);
+            const PixelRange row = triangle.row(origin.y + y, origin.x, origin.x + kWidth);
             for (Integer x = row.x0; x < row.x1; ++x) {
-                const TexelIndex texel = triangle.texel(x, y);
-                pixels[static_cast<std::size_t>(y * kPitch + x)] =
-                    static_cast<std::uint32_t>(wrap_index(texel.v, texture.height, Wrap::repeat) * texture.width +
-                                               wrap_index(texel.u, texture.width, Wrap::repeat));
+                const auto at = static_cast<std::size_t>(y * kPitch + x - origin.x);
+                if (job.depth) {
+                    const float z = triangle.depth(x, origin.y + y);
+                    if (!(z < picture.depth[at])) continue;
+                    picture.depth[at] = z;
+                }
+                const TexelIndex texel = triangle.texel(x, origin.y + y);
+                const int place = wrap_index(texel.v, texture.height, texture.wrap) * texture.width +
+                                  wrap_index(texel.u, texture.width, texture.wrap);
+                picture.pixels[at] = lit(texture.texels[place], job.light);
             }
         }
     }
-    return pixels;
+    return picture;
 }
 
 /// In u, v of whole textures; most of them on the screen.
@@ -88,32 +111,113 @@ std::vector<Vertex> random_triangle(laws::Dice& dice, int n) {
     return corners;
 }
 
+/// What textures may be.
+const std::array<Addresses, 6>& textures() {
+    static const std::array<Addresses, 6> all{{{64, 16, Wrap::repeat},
+                                               {48, 80, Wrap::repeat},
+                                               {64, 16, Wrap::clamp},
+                                               {37, 1, Wrap::clamp},
+                                               {1, 128, Wrap::repeat},
+                                               {256, 256, Wrap::mask}}};
+    return all;
+}
+
+RasterJob job_of(std::span<const Vertex> vertices, const RasterTexture& texture) {
+    return {.vertices = vertices, .u_texels = texture.width, .v_texels = texture.height};
+}
+
+/// Each SIMD level must draw what is decided.
+void expect_exact(const RasterTexture& texture, const RasterJob& job, RasterCounters& counters, const std::string& what,
+                  Origin origin = {}) {
+    const Picture expected = decided(texture, job, origin);
+    for (const SimdLevelInfo& level : kSimdLevels) {
+        if (!is_supported(level.level)) continue;
+        const Picture is = drawn(texture, job, counters, {.level = level.level}, origin);
+        for (int y = 0; y < kHeight; ++y)
+            for (int x = 0; x < kWidth; ++x) {
+                const auto at = static_cast<std::size_t>(y * kPitch + x);
+                ASSERT_EQ(is.pixels[at], expected.pixels[at]) << level.id << " at " << x << ", " << y << ": " << what;
+                ASSERT_EQ(is.depth[at], expected.depth[at]) << level.id << " at " << x << ", " << y << ": " << what;
+            }
+        ASSERT_EQ(is, expected) << level.id << " beside the picture: " << what;
+    }
+}
+
 TEST(RasterEqualsExact, InEveryPixelOfRandomTriangles) {
     laws::Dice dice(1);
-    const Addresses addresses(64, 16);
+    const RasterTexture& texture = textures()[0].texture;
     RasterCounters counters;
     for (int n = 0; n < 6000; ++n) {
         const auto corners = random_triangle(dice, n);
-        const RasterJob job{.vertices = corners,
-                            .u_texels = addresses.texture.width,
-                            .v_texels = addresses.texture.height,
-                            .perspective = n % 2 == 0,
-                            .cull_back = n % 7 == 0};
-        const Pixels expected = decided(addresses.texture, job);
-        for (const SimdLevelInfo& level : kSimdLevels) {
-            if (!is_supported(level.level)) continue;
-            ASSERT_EQ(drawn(addresses.texture, job, counters, {.level = level.level}), expected)
-                << level.id << ", " << n << ": " << text_of(corners);
-        }
+        RasterJob job = job_of(corners, texture);
+        job.perspective = n % 2 == 0, job.cull_back = n % 7 == 0;
+        expect_exact(texture, job, counters, std::to_string(n) + ": " + text_of(corners));
+        if (HasFatalFailure()) return;
     }
     EXPECT_GT(counters.samples, 1000000U);
     EXPECT_GT(counters.crossings, 0U);
     EXPECT_GT(counters.in_double, 0U);
+    EXPECT_GT(counters.in_whole, 0U);
+}
+
+TEST(RasterEqualsExact, WithTexturesOfAnySizeAndWrap) {
+    laws::Dice dice(2);
+    RasterCounters counters;
+    for (int n = 0; n < 3000; ++n) {
+        const auto corners = random_triangle(dice, n);
+        const RasterTexture& texture = textures()[static_cast<std::size_t>(dice.whole(1, 5))].texture;
+        RasterJob job = job_of(corners, texture);
+        job.perspective = n % 2 == 0;
+        if (n % 3 == 0) job.u_texels = job.v_texels = dice.whole(1, 40);
+        expect_exact(texture, job, counters, std::to_string(n) + ": " + text_of(corners));
+        if (HasFatalFailure()) return;
+    }
+}
+
+TEST(RasterEqualsExact, WithDepthAndLight) {
+    laws::Dice dice(3);
+    ChannelTable light{};
+    for (std::uint32_t n = 0; n < light.size(); ++n) light[n] = n * 7 / 10;
+    RasterCounters counters;
+    for (int n = 0; n < 600; ++n) {
+        std::vector<Vertex> vertices;
+        for (int k = dice.whole(1, 12); k-- > 0;) {
+            auto corners = random_triangle(dice, dice.whole(0, 1000));
+            if (dice.often(.3))  // level, and equal to others
+                for (Vertex& c : corners) c.z = .5F;
+            if (dice.often(.3))  // near halves between floats
+                for (Vertex& c : corners) c.z = .5F + static_cast<float>(dice.whole(0, 7)) * 0x1p-24F;
+            vertices.insert(vertices.end(), corners.begin(), corners.end());
+        }
+        const RasterTexture& texture = textures()[static_cast<std::size_t>(n % 6)].texture;
+        RasterJob job = job_of(vertices, texture);
+        job.depth = n % 4 != 0, job.perspective = n % 2 == 0, job.cull_back = n % 5 == 0;
+        if (n % 3 == 0) job.light = &light;
+        expect_exact(texture, job, counters, std::to_string(n));
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(counters.of(RasterSkip::hidden), 0U);
+}
+
+TEST(RasterEqualsExact, FarFromTheOrigin) {
+    laws::Dice dice(4);
+    RasterCounters counters;
+    for (int n = 0; n < 1500; ++n) {
+        const int far = 1 << dice.whole(3, 27);
+        const Origin origin{dice.often(.5) ? far : -far, dice.whole(-5000, 5000)};
+        auto corners = random_triangle(dice, n);
+        for (Vertex& c : corners) c.x += static_cast<float>(origin.x), c.y += static_cast<float>(origin.y);
+        const RasterTexture& texture = textures()[static_cast<std::size_t>(n % 6)].texture;
+        RasterJob job = job_of(corners, texture);
+        job.perspective = n % 2 == 0;
+        expect_exact(texture, job, counters, std::to_string(n) + ": " + text_of(corners), origin);
+        if (HasFatalFailure()) return;
+    }
 }
 
 TEST(RasterEqualsExact, WhereManyTrianglesAreDrawnAtOnce) {
-    laws::Dice dice(2);
-    const Addresses addresses(64, 16);
+    laws::Dice dice(5);
+    const RasterTexture& texture = textures()[0].texture;
     RasterCounters counters;
     for (const int count : {1, 2, 7, 8, 9, 31, 500})
         for (const bool perspective : {false, true}) {
@@ -122,12 +226,41 @@ TEST(RasterEqualsExact, WhereManyTrianglesAreDrawnAtOnce) {
                 const auto corners = random_triangle(dice, n);
                 vertices.insert(vertices.end(), corners.begin(), corners.end());
             }
-            const RasterJob job{.vertices = vertices,
-                                .u_texels = addresses.texture.width,
-                                .v_texels = addresses.texture.height,
-                                .perspective = perspective};
-            ASSERT_EQ(drawn(addresses.texture, job, counters), decided(addresses.texture, job)) << count;
+            RasterJob job = job_of(vertices, texture);
+            job.perspective = perspective;
+            expect_exact(texture, job, counters, std::to_string(count));
+            if (HasFatalFailure()) return;
         }
+}
+
+/// Any subset of the skips leaves the picture as it is.
+TEST(RasterSkips, ChangeNoPixel) {
+    laws::Dice dice(6);
+    const RasterTexture& texture = textures()[0].texture;
+    for (int n = 0; n < 40; ++n) {
+        std::vector<Vertex> vertices;
+        for (int k = 0; k < 60; ++k) {
+            auto corners = random_triangle(dice, k);
+            if (k % 3 == 0)
+                for (Vertex& c : corners) c.w = 2, c.z = .3F;
+            if (k % 4 == 0) corners[2] = corners[1];
+            vertices.insert(vertices.end(), corners.begin(), corners.end());
+        }
+        RasterJob job = job_of(vertices, texture);
+        job.depth = n % 2 == 0, job.perspective = n % 4 < 2, job.cull_back = true;
+        RasterCounters with, without;
+        const Picture expected = decided(texture, job);
+        ASSERT_EQ(drawn(texture, job, with), expected);
+        for (const RasterSkipInfo& skip : kRasterSkips) {
+            const std::uint32_t others = ~(1U << static_cast<unsigned>(skip.skip));
+            RasterCounters counters;
+            ASSERT_EQ(drawn(texture, job, counters, {.skips = others}), expected) << skip.id;
+            EXPECT_EQ(counters.of(skip.skip), 0U) << skip.id;
+        }
+        ASSERT_EQ(drawn(texture, job, without, {.skips = 0}), expected);
+        for (const RasterSkip skip : {RasterSkip::off_screen, RasterSkip::zero_area, RasterSkip::back_face})
+            EXPECT_GT(with.of(skip), 0U) << static_cast<int>(skip);
+    }
 }
 
 }  // namespace

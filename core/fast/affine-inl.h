@@ -1,0 +1,123 @@
+// Affine triangles: u and v step in int32 along a row from a start in double, which wraps as a texture repeats.
+#if defined(TEXELSCOPE_AFFINE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TEXELSCOPE_AFFINE_INL
+#undef TEXELSCOPE_AFFINE_INL
+#else
+#define TEXELSCOPE_AFFINE_INL
+#endif
+
+#include "core/fast/crossings-inl.h"
+#include "core/fast/depth-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace texelscope {
+namespace HWY_NAMESPACE {
+
+/// The pixels of `in` from x on, of one row, which pass the depth test; it is left nearer.
+template <class Tag>
+HWY_INLINE hn::Mask<Tag> pass_depth(const DepthRow<Tag>& depth, int x, int y, hn::Mask<Tag> in, float* line,
+                                    Again& again) {
+    const hn::Rebind<float, Tag> f;
+    const auto z = depth.at(x, y, in, again), old = load_some(f, hn::RebindMask(f, in), line + x);
+    const auto nearer = hn::And(hn::RebindMask(f, in), hn::Lt(z, old));
+    store_some(z, nearer, f, line + x);
+    return hn::RebindMask(Tag{}, nearer);
+}
+
+/// Pixels [x, x + lanes) of `in`, of which some texels are unsure.
+template <class Tag>
+HWY_NOINLINE void mend(Tag p, Again& again, int x, int y, hn::Mask<Tag> unsure, const Canvas& canvas) {
+    uint32_t* const line = canvas.target.pixels + y * canvas.target.pitch;
+    for (uint32_t m = bits_of(p, unsure); m != 0; m &= m - 1) {
+        const int at = x + std::countr_zero(m);
+        line[at] = again.texel(at, y);
+    }
+}
+
+/// Rows [row, row + count), some texels of which are unsure.
+template <Addressing kAddressing, class Tag>
+HWY_NOINLINE void rows_again(Tag p, const Batch& b, int t, int row, int count, const Rows& rows, const Canvas& canvas,
+                             const Texels<Tag, kAddressing>& texels) {
+    constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
+    Again again(canvas, b, t, false);
+    const auto u_x = hn::Set(p, static_cast<uint32_t>(b.u.step.at[t])),
+               v_x = hn::Set(p, static_cast<uint32_t>(b.v.step.at[t]));
+    for (int n = 0; n < count; ++n) {
+        const auto u0 = hn::Set(p, static_cast<uint32_t>(rows.u.at[n])),
+                   v0 = hn::Set(p, static_cast<uint32_t>(rows.v.at[n]));
+        for (int x = rows.x0.at[n]; x < rows.x1.at[n]; x += kLanes) {
+            const auto steps = hn::Iota(p, static_cast<uint32_t>(x - rows.x0.at[n]));
+            const auto in = hn::FirstN(p, static_cast<size_t>(rows.x1.at[n] - x));
+            const auto unsure = texels.unsure(hn::Add(hn::Mul(u_x, steps), u0), hn::Add(hn::Mul(v_x, steps), v0));
+            mend(p, again, x, row + n, hn::And(in, unsure), canvas);
+        }
+    }
+}
+
+/// The rows of one triangle, as many pixels at once as `Tag` has lanes. False: too much was in doubt, nothing is drawn.
+template <Addressing kAddressing, bool kDepth, class Tag>
+HWY_NOINLINE bool draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) {
+    constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
+    const Texels<Tag, kAddressing> texels(canvas, b.u.doubt.at[t], b.v.doubt.at[t], b.u.shift.at[t], b.v.shift.at[t]);
+    if (!texels.fits()) return false;
+    const auto u_x = hn::Set(p, static_cast<uint32_t>(b.u.step.at[t])),
+               v_x = hn::Set(p, static_cast<uint32_t>(b.v.step.at[t]));
+    const auto lanes = hn::Iota(p, 0), all = hn::Set(p, ~0U);
+    const auto u_lanes = hn::Mul(u_x, lanes), v_lanes = hn::Mul(v_x, lanes);
+    const auto u_step = hn::Mul(u_x, hn::Set(p, kLanes)), v_step = hn::Mul(v_x, hn::Set(p, kLanes));
+    const Columns columns{b.column0.at[t], b.column1.at[t]};
+    const std::ptrdiff_t pitch = canvas.target.pitch;
+    uint64_t samples = 0;
+    for (int row = b.row0.at[t]; row < b.row1.at[t]; row += kBatch) {
+        Rows rows;
+        const int count = std::min(kBatch, b.row1.at[t] - row);
+        cross<true>(b, t, row, count, columns, canvas, rows);
+        auto least_u = all, least_v = all;
+        uint32_t* line = canvas.target.pixels + row * pitch;
+        for (int n = 0; n < count; ++n, line += pitch) {
+            const int x0 = rows.x0.at[n];
+            int left = rows.x1.at[n] - x0;
+            if (left <= 0) continue;
+            samples += static_cast<uint64_t>(left);
+            auto u = hn::Add(hn::Set(p, static_cast<uint32_t>(rows.u.at[n])), u_lanes);
+            auto v = hn::Add(hn::Set(p, static_cast<uint32_t>(rows.v.at[n])), v_lanes);
+            if constexpr (kDepth) {
+                const DepthRow<Tag> depth(b, t, row + n);
+                Again again(canvas, b, t, false);
+                float* const z = canvas.target.depth + (row + n) * pitch;
+                for (int x = x0; left > 0; left -= kLanes, x += kLanes) {
+                    const auto in = hn::FirstN(p, static_cast<size_t>(left));
+                    const auto nearer = pass_depth(depth, x, row + n, in, z, again);
+                    if (!hn::AllFalse(p, nearer)) {
+                        store_some(texels.fetch(u, v), nearer, p, line + x);
+                        if (const auto unsure = hn::And(nearer, texels.unsure(u, v)); !hn::AllFalse(p, unsure))
+                            mend(p, again, x, row + n, unsure, canvas);
+                    }
+                    u = hn::Add(u, u_step), v = hn::Add(v, v_step);
+                }
+                continue;
+            }
+            uint32_t* out = line + x0;
+            for (; left >= kLanes; left -= kLanes, out += kLanes) {
+                hn::StoreU(texels.fetch(u, v), p, out);
+                least_u = hn::Min(least_u, texels.u.rest(u)), least_v = hn::Min(least_v, texels.v.rest(v));
+                u = hn::Add(u, u_step), v = hn::Add(v, v_step);
+            }
+            if (left > 0) {
+                const auto in = hn::FirstN(p, static_cast<size_t>(left));
+                store_some(texels.fetch(u, v), in, p, out);
+                least_u = hn::Min(least_u, hn::IfThenElse(in, texels.u.rest(u), all));
+                least_v = hn::Min(least_v, hn::IfThenElse(in, texels.v.rest(v), all));
+            }
+        }
+        if (!kDepth && !hn::AllFalse(p, hn::Or(hn::Lt(least_u, texels.u.least), hn::Lt(least_v, texels.v.least))))
+            rows_again<kAddressing>(p, b, t, row, count, rows, canvas, texels);
+    }
+    canvas.counters->samples += samples;
+    return true;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace texelscope
+HWY_AFTER_NAMESPACE();
+#endif

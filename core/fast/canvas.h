@@ -1,0 +1,32 @@
+// What all of the rasterizer's loops know: where to draw, from what, and how texels are found.
+#pragma once
+
+#include "core/fast/raster.h"
+#include "core/fast/tiles.h"
+
+namespace texelscope {
+
+/// How u becomes a column. Units are such that int32 keeps what is needed of u.
+enum class Addressing : std::uint8_t {
+    powers,    ///< 2^-32 of the texture, which repeats as the number overflows; sizes are powers of two
+    any_size,  ///< the same, and the column is the upper half of a product with the size
+    clamped,   ///< 2^-shift texel, the shift a triangle's own
+};
+
+struct Canvas {
+    RasterTarget target;
+    RasterTexture texture;
+    const RasterJob* job;
+    const RasterSettings* settings;
+    RasterCounters* counters;
+    DepthTiles* tiles;  ///< null without a depth test
+    Addressing addressing;
+    int u_bits = 0, v_bits = 0;  ///< log2 of the size, where addressing is by powers
+    double u_unit, v_unit;       ///< units in one unit of the vertices' u and v, but where clamped
+
+    [[nodiscard]] const Vertex* corners(int triangle) const {
+        return job->vertices.data() + std::ptrdiff_t{triangle} * 3;
+    }
+};
+
+}  // namespace texelscope

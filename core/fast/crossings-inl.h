@@ -1,0 +1,110 @@
+// Where the rows of a triangle begin and end, eight rows at once. A row covers [ceil(left - 1/2), ceil(right - 1/2)).
+// On the coarse grid two crossings that differ from a sample do so by 2^-30 px or more, while double is off by less
+// than 3e-11: 2^-31 taken away before rounding up decides every tie. Elsewhere what lies within the bound of a sample
+// is decided again in 128 bits.
+#if defined(TEXELSCOPE_CROSSINGS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TEXELSCOPE_CROSSINGS_INL
+#undef TEXELSCOPE_CROSSINGS_INL
+#else
+#define TEXELSCOPE_CROSSINGS_INL
+#endif
+
+#include <algorithm>
+#include <array>
+
+#include "core/fast/decide.h"
+#include "core/fast/setup-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace texelscope {
+namespace HWY_NAMESPACE {
+
+/// Eight rows of one triangle.
+struct Rows {
+    EightInt x0, x1;
+    EightInt u, v;  ///< at x0, biased by their doubts [units]
+};
+
+/// The part of the target that rows are cut to.
+struct Columns {
+    int low, high;
+};
+
+HWY_INLINE V crossing(V x, const Columns& c, double bias) {
+    const Real d;
+    // A quarter inside the next centre: what lies beyond the box is never in doubt.
+    return hn::Min(hn::Max(hn::Sub(x, hn::Set(d, .5 + bias)), hn::Set(d, c.low - .25)), hn::Set(d, c.high - .25));
+}
+
+/// The rows whose crossings lie in doubt, again.
+HWY_NOINLINE void cross_again(const Batch& b, int t, int row, int count, const Columns& columns, const Canvas& canvas,
+                              Rows& rows) {
+    const Vertex* const corner = canvas.corners(b.index.at[t]);
+    std::array<const Vertex*, 3> p{corner, corner + 1, corner + 2};
+    std::stable_sort(p.begin(), p.end(), [](const Vertex* a, const Vertex* c) { return a->y < c->y; });
+    const RasterTarget& target = canvas.target;
+    for (int n = 0; n < count; ++n) {
+        const bool top = row + n < b.row_mid.at[t];
+        const int y = row + n + target.y0;
+        const int far = first_pixel(*p[0], *p[2], y),
+                  near = top ? first_pixel(*p[0], *p[1], y) : first_pixel(*p[1], *p[2], y);
+        const auto inside = [&](int x) { return std::clamp(x - target.x0, columns.low, columns.high); };
+        rows.x0.at[n] = inside(b.long_left.at[t] != 0 ? far : near);
+        rows.x1.at[n] = inside(b.long_left.at[t] != 0 ? near : far);
+        ++canvas.counters->crossings;
+    }
+}
+
+/// u at eight rows' first pixels.
+HWY_INLINE void start(const CoordinateEight& u, int t, V right, V down, EightInt& to, int lane) {
+    const Real d;
+    const V at = hn::Set(d, u.plane.at.at[t] + u.doubt.at[t]);
+    store_fraction(hn::MulAdd(right, hn::Set(d, u.plane.x.at[t]), hn::MulAdd(down, hn::Set(d, u.plane.y.at[t]), at)),
+                   to, lane);
+}
+
+/// Rows [row, row + count), and u and v where they begin if these are wanted.
+template <bool kStarts>
+HWY_INLINE void cross(const Batch& b, int t, int row, int count, const Columns& columns, const Canvas& canvas,
+                      Rows& rows) {
+    const Real d;
+    const double doubt = b.cross_doubt.at[t], bias = doubt == 0 ? 0x1p-31 : 0;
+    const bool left = b.long_left.at[t] != 0;
+    bool again = false;
+    for (int lane = 0; lane < kBatch; lane += kReals) {
+        const V n = hn::Iota(d, row + lane), y = hn::Add(n, hn::Set(d, .5));
+        const V below = hn::Sub(y, hn::Set(d, b.long_y.at[t]));
+        const V far = hn::MulAdd(below, hn::Set(d, b.long_slope.at[t]), hn::Set(d, b.long_x.at[t]));
+        const V top = hn::MulAdd(below, hn::Set(d, b.top_slope.at[t]), hn::Set(d, b.long_x.at[t]));
+        const V low =
+            hn::MulAdd(hn::Sub(y, hn::Set(d, b.low_y.at[t])), hn::Set(d, b.low_slope.at[t]), hn::Set(d, b.low_x.at[t]));
+        const V near = hn::IfThenElse(hn::Lt(n, hn::Set(d, b.row_mid.at[t])), top, low);
+        const V from = crossing(left ? far : near, columns, bias), to = crossing(left ? near : far, columns, bias);
+        if (doubt != 0) {
+            const auto close = [&](V x) HWY_ATTR {
+                return hn::Lt(hn::Abs(hn::Sub(x, hn::Round(x))), hn::Set(Real{}, doubt));
+            };
+            const auto there = hn::Lt(n, hn::Set(d, row + count));
+            again = again || !hn::AllFalse(d, hn::And(hn::Or(close(from), close(to)), there));
+        }
+        const V first = hn::Ceil(from);
+        store_int(first, rows.x0, lane), store_int(hn::Ceil(to), rows.x1, lane);
+        if constexpr (kStarts) {
+            const V right = hn::Sub(first, hn::Set(d, b.column0.at[t])), down = hn::Sub(n, hn::Set(d, b.row0.at[t]));
+            start(b.u, t, right, down, rows.u, lane), start(b.v, t, right, down, rows.v, lane);
+        }
+    }
+    if (!again) return;
+    cross_again(b, t, row, count, columns, canvas, rows);
+    if constexpr (kStarts)
+        for (int lane = 0; lane < kBatch; lane += kReals) {
+            const V first = hn::PromoteTo(d, hn::Load(Index{}, rows.x0.at + lane));
+            const V right = hn::Sub(first, hn::Set(d, b.column0.at[t])), down = hn::Iota(d, row + lane - b.row0.at[t]);
+            start(b.u, t, right, down, rows.u, lane), start(b.v, t, right, down, rows.v, lane);
+        }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace texelscope
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,182 @@
+// From u and v in units to texels, and which of them may be wrong. A value is biased by the bound e of its error, so
+// that it lies within 2e above the true one: the texel is right if what follows the texel's own bits is at least 2e.
+#if defined(TEXELSCOPE_TEXELS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TEXELSCOPE_TEXELS_INL
+#undef TEXELSCOPE_TEXELS_INL
+#else
+#define TEXELSCOPE_TEXELS_INL
+#endif
+
+#include <bit>
+#include <cmath>
+
+#include "core/fast/decide.h"
+#include "core/fast/setup-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace texelscope {
+namespace HWY_NAMESPACE {
+
+/// The upper 32 bits of each product.
+template <class Pixels>
+HWY_INLINE Pixels upper_half(Pixels a, Pixels b) {
+    using Tag = hn::DFromV<Pixels>;
+    const Tag p;
+#if HWY_TARGET == HWY_SCALAR
+    return hn::Set(p, static_cast<uint32_t>(uint64_t{hn::GetLane(a)} * hn::GetLane(b) >> 32));
+#else
+    const hn::RepartitionToWide<Tag> wide;
+    const auto odd_lanes = [&](auto lanes)
+                               HWY_ATTR { return hn::BitCast(Tag{}, hn::ShiftRight<32>(hn::BitCast(wide, lanes))); };
+    const auto even = odd_lanes(hn::MulEven(a, b));
+    const auto odd = hn::BitCast(p, hn::MulEven(odd_lanes(a), odd_lanes(b)));
+    return hn::OddEven(odd, even);
+#endif
+}
+
+/// u or v of one triangle, as many at once as the tag has lanes.
+template <class Tag, Addressing kAddressing>
+struct Axis {
+    hn::Vec<Tag> least, size;
+    int shift;
+    bool fits;  ///< else too much is in doubt for the texel to be told by it
+
+    HWY_INLINE Axis(double doubt, int shift_of_texel, int texels) : shift(shift_of_texel) {
+        const Tag p;
+        size = hn::Set(p, static_cast<uint32_t>(texels));
+        // A texel's units. In doubt within an eighth of it, at most.
+        const double texel =
+            kAddressing == Addressing::any_size ? 0x1p32 / texels : static_cast<double>(int64_t{1} << shift);
+        fits = 8 * doubt + 8 < texel;
+        const auto twice = fits ? static_cast<uint32_t>(2 * doubt) + 1 : 0;
+        least = hn::Set(
+            p, kAddressing == Addressing::any_size ? twice * static_cast<uint32_t>(texels) : twice << (32 - shift));
+    }
+    /// What follows the texel's bits, at the top of 32.
+    [[nodiscard]] HWY_INLINE hn::Vec<Tag> rest(hn::Vec<Tag> u) const {
+        if constexpr (kAddressing == Addressing::any_size) return hn::Mul(u, size);
+        return hn::ShiftLeftSame(u, 32 - shift);
+    }
+    [[nodiscard]] HWY_INLINE hn::Mask<Tag> unsure(hn::Vec<Tag> u) const { return hn::Lt(rest(u), least); }
+    [[nodiscard]] HWY_INLINE hn::Vec<Tag> index(hn::Vec<Tag> u) const {
+        const Tag p;
+        if constexpr (kAddressing == Addressing::powers) {
+            return hn::ShiftRightSame(u, shift);
+        } else if constexpr (kAddressing == Addressing::any_size) {
+            return upper_half(u, size);
+        } else {
+            const hn::Rebind<int32_t, Tag> s;
+            const auto texel = hn::ShiftRightSame(hn::BitCast(s, u), shift);
+            return hn::BitCast(p, hn::Min(hn::Max(texel, hn::Zero(s)), hn::Sub(hn::BitCast(s, size), hn::Set(s, 1))));
+        }
+    }
+};
+
+/// Both, and the texture.
+template <class Tag, Addressing kAddressing>
+struct Texels {
+    using Pixels = hn::Vec<Tag>;
+    Axis<Tag, kAddressing> u, v;
+    Pixels rows;  ///< of powers: the bits of a row's first texel
+    const uint32_t* texels;
+    const uint32_t* light;
+    int v_up;
+
+    HWY_INLINE Texels(const Canvas& canvas, double u_doubt, double v_doubt, int u_shift, int v_shift)
+        : u(u_doubt, u_shift, canvas.texture.width),
+          v(v_doubt, v_shift, canvas.texture.height),
+          texels(canvas.texture.texels),
+          light(canvas.job->light != nullptr ? canvas.job->light->data() : nullptr),
+          v_up(v_shift - canvas.u_bits) {
+        rows = hn::Set(Tag{}, static_cast<uint32_t>((canvas.texture.height - 1) * canvas.texture.width));
+    }
+    [[nodiscard]] HWY_INLINE bool fits() const { return u.fits && v.fits; }
+    /// Where in the texture.
+    [[nodiscard]] HWY_INLINE Pixels place(Pixels at_u, Pixels at_v) const {
+        if constexpr (kAddressing == Addressing::powers)
+            return hn::Or(hn::And(hn::ShiftRightSame(at_v, v_up), rows), u.index(at_u));
+        else
+            return hn::Add(hn::Mul(v.index(at_v), u.size), u.index(at_u));
+    }
+    [[nodiscard]] HWY_INLINE Pixels fetch(Pixels at_u, Pixels at_v) const {
+        const hn::Rebind<int32_t, Tag> s;
+        const auto got = hn::GatherIndex(Tag{}, texels, hn::BitCast(s, place(at_u, at_v)));
+        return light == nullptr ? got : lit(got);
+    }
+    [[nodiscard]] HWY_INLINE hn::Mask<Tag> unsure(Pixels at_u, Pixels at_v) const {
+        return hn::Or(u.unsure(at_u), v.unsure(at_v));
+    }
+
+private:
+    [[nodiscard]] HWY_INLINE Pixels lit(Pixels texel) const {
+        const Tag p;
+        const auto byte = hn::Set(p, 255U);
+        const auto of = [&](Pixels channel) HWY_ATTR {
+            return hn::GatherIndex(Tag{}, light, hn::BitCast(hn::Rebind<int32_t, Tag>{}, channel));
+        };
+        const auto red = of(hn::And(texel, byte)), green = of(hn::And(hn::ShiftRight<8>(texel), byte)),
+                   blue = of(hn::And(hn::ShiftRight<16>(texel), byte));
+        return hn::Or(hn::Or(red, hn::ShiftLeft<8>(green)),
+                      hn::Or(hn::ShiftLeft<16>(blue), hn::And(texel, hn::Set(p, 0xFF000000U))));
+    }
+};
+
+/// One texel as `Texels::fetch` gives it.
+HWY_INLINE uint32_t texel_at(const Canvas& canvas, uint32_t place) {
+    const uint32_t texel = canvas.texture.texels[place];
+    if (canvas.job->light == nullptr) return texel;
+    const ChannelTable& light = *canvas.job->light;
+    return light[texel & 255] | light[texel >> 8 & 255] << 8 | light[texel >> 16 & 255] << 16 | (texel & 0xFF000000U);
+}
+
+/// Texels of one triangle that int32 or float32 could not tell: in double, and exactly where that cannot either.
+class Again {
+public:
+    HWY_INLINE Again(const Canvas& canvas, const Batch& b, int t, bool perspective)
+        : canvas_(canvas), b_(b), t_(t), perspective_(perspective), decider_(canvas, b.index.at[t]) {}
+
+    /// The texel of the target's pixel (x, y).
+    [[nodiscard]] HWY_NOINLINE uint32_t texel(int x, int y) {
+        const RasterTexture& texture = canvas_.texture;
+        ++canvas_.counters->in_double;
+        const double right = x - b_.column0.at[t_], down = y - b_.row0.at[t_];
+        TexelIndex index;
+        if (decided(right, down, b_.u, b_.u_over, b_.u_far.at[t_], texture.width, index.u) &&
+            decided(right, down, b_.v, b_.v_over, b_.v_far.at[t_], texture.height, index.v))
+            return texel_at(canvas_, place_of(texture, index));
+        return texel_at(canvas_, decider_.texel(x, y));
+    }
+    [[nodiscard]] float depth(int x, int y) { return decider_.depth(x, y); }
+
+private:
+    [[nodiscard]] static double at(const PlaneEight& p, int t, double right, double down) {
+        return p.at.at[t] + right * p.x.at[t] + down * p.y.at[t];
+    }
+    /// Whether floor(u) is certain [texels].
+    [[nodiscard]] bool decided(double right, double down, const CoordinateEight& u, const PlaneEight& over, double far,
+                               int size, Integer& index) const {
+        const double value =
+            perspective_ ? at(over, t_, right, down) / at(b_.one, t_, right, down) : at(u.plane, t_, right, down);
+        const double unsure = perspective_ ? far : u.unsure.at[t_];
+        // The units of a texel; a quotient by a size that is no power of two rounds once more.
+        const double texel = canvas_.addressing == Addressing::any_size
+                                 ? 0x1p32 / size
+                                 : static_cast<double>(int64_t{1} << u.shift.at[t_]);
+        const double texels = value / texel, off = unsure / texel + std::abs(texels) * 4 * kUlp;
+        const double below = std::floor(texels - off), above = std::floor(texels + off);
+        if (!(below == above) || std::abs(below) > 0x1p50) return false;
+        index = static_cast<Integer>(below);
+        return true;
+    }
+
+    const Canvas& canvas_;
+    const Batch& b_;
+    int t_;
+    bool perspective_;
+    Decider decider_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace texelscope
+HWY_AFTER_NAMESPACE();
+#endif

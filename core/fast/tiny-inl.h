@@ -1,0 +1,89 @@
+// Triangles within a block of 4 x 4 samples: the sides' values at all 16 at once, no rows. On the coarse grid, up to 8
+// px wide, these are whole multiples of 2^-16 below 2^8, which float32 holds exactly; elsewhere what comes near 0 is
+// left to the rows.
+#if defined(TEXELSCOPE_TINY_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TEXELSCOPE_TINY_INL
+#undef TEXELSCOPE_TINY_INL
+#else
+#define TEXELSCOPE_TINY_INL
+#endif
+
+#include "core/fast/crossings-inl.h"
+#include "core/fast/texels-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace texelscope {
+namespace HWY_NAMESPACE {
+
+/// Bit 4 y + x: whether the triangle owns sample (x, y) of the block. False: one lies too near to a side.
+HWY_INLINE bool cover_tiny(const Batch& b, int t, uint32_t& inside) {
+    const hn::CappedTag<float, 16> f;
+    const hn::Rebind<int32_t, decltype(f)> s;
+    constexpr int kLanes = static_cast<int>(hn::MaxLanes(f));
+    inside = 0;
+    const auto x = hn::ConvertTo(f, hn::And(hn::Iota(s, 0), hn::Set(s, 3)));
+    for (int first = 0; first < 16; first += kLanes) {
+        const auto y = hn::ConvertTo(f, hn::ShiftRight<2>(hn::Iota(s, first)));
+        const auto e = [&](size_t n) HWY_ATTR {
+            const auto at_row = hn::MulAdd(y, hn::Set(f, b.side_y[n].at[t]), hn::Set(f, b.side_one[n].at[t]));
+            return hn::MulAdd(x, hn::Set(f, b.side_x[n].at[t]), at_row);
+        };
+        const auto e0 = e(0), e1 = e(1), e2 = e(2);
+        const auto nearest = hn::Min(hn::Min(hn::Abs(e0), hn::Abs(e1)), hn::Abs(e2));
+        if (!hn::AllFalse(f, hn::Lt(nearest, hn::Set(f, b.side_doubt.at[t])))) return false;
+        const auto in = [&](auto value, size_t n) HWY_ATTR { return hn::Ge(value, hn::Set(f, b.side_least[n].at[t])); };
+        inside |= bits_of(f, hn::And(hn::And(in(e0, 0), in(e1, 1)), in(e2, 2))) << first;
+    }
+    return true;
+}
+
+/// False: nothing was drawn, too much is in doubt.
+template <Addressing kAddressing>
+HWY_INLINE bool draw_tiny(const Batch& b, int t, const Canvas& canvas) {
+    const hn::CappedTag<uint32_t, 16> p;
+    constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
+    const Texels<decltype(p), kAddressing> texels(canvas, b.u.doubt.at[t], b.v.doubt.at[t], b.u.shift.at[t],
+                                                  b.v.shift.at[t]);
+    uint32_t inside = 0;
+    if (!texels.fits() || !cover_tiny(b, t, inside)) return false;
+    const int column = b.column0.at[t], row = b.row0.at[t];
+    if (column + 4 > canvas.target.width) inside &= 0x1111U * ((1U << (canvas.target.width - column)) - 1);
+    if (row + 4 > canvas.target.height) inside &= (1U << (4 * (canvas.target.height - row))) - 1;
+    if (inside == 0) return true;
+    canvas.counters->samples += static_cast<uint64_t>(std::popcount(inside));
+    const auto first = [&](const CoordinateEight& u) {
+        return static_cast<uint32_t>(static_cast<int64_t>(u.plane.at.at[t] + u.doubt.at[t]));
+    };
+    const auto u0 = hn::Set(p, first(b.u)), v0 = hn::Set(p, first(b.v));
+    const auto x = hn::And(hn::Iota(p, 0), hn::Set(p, 3U));
+    alignas(64) uint32_t found[16];
+    uint32_t unsure = 0;
+    for (int lane = 0; lane < 16; lane += kLanes) {
+        const auto y = hn::ShiftRight<2>(hn::Iota(p, static_cast<uint32_t>(lane)));
+        const auto at = [&](const CoordinateEight& u, auto from) HWY_ATTR {
+            const auto at_row = hn::Add(hn::Mul(y, hn::Set(p, static_cast<uint32_t>(u.down.at[t]))), from);
+            return hn::Add(hn::Mul(x, hn::Set(p, static_cast<uint32_t>(u.step.at[t]))), at_row);
+        };
+        const auto u = at(b.u, u0), v = at(b.v, v0);
+        hn::Store(texels.fetch(u, v), p, found + lane);
+        unsure |= bits_of(p, texels.unsure(u, v)) << lane;
+    }
+    uint32_t* out = canvas.target.pixels + row * canvas.target.pitch + column;
+    const hn::CappedTag<uint32_t, 4> four;
+    for (int n = 0; n < 4; ++n, out += canvas.target.pitch) {
+        const uint8_t bits[8] = {static_cast<uint8_t>(inside >> (4 * n) & 15)};
+        if (bits[0] != 0) store_some(hn::Load(four, found + 4 * n), hn::LoadMaskBits(four, bits), four, out);
+    }
+    if ((unsure & inside) == 0) return true;
+    Again again(canvas, b, t, false);
+    for (uint32_t m = unsure & inside; m != 0; m &= m - 1) {
+        const int n = std::countr_zero(m), at_x = column + (n & 3), at_y = row + (n >> 2);
+        canvas.target.pixels[at_y * canvas.target.pitch + at_x] = again.texel(at_x, at_y);
+    }
+    return true;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace texelscope
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,211 @@
+// All triangles of a job: a cheap pass drops what need not be drawn, the rest is set up eight at a time and drawn in
+// order. Immediately, not by bins: on one thread that was faster for every size of triangle.
+#if defined(TEXELSCOPE_TRIANGLES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TEXELSCOPE_TRIANGLES_INL
+#undef TEXELSCOPE_TRIANGLES_INL
+#else
+#define TEXELSCOPE_TRIANGLES_INL
+#endif
+
+#include <algorithm>
+#include <bit>
+
+#include <hwy/cache_control.h>
+
+#include "core/fast/affine-inl.h"
+#include "core/fast/dispatch.h"
+#include "core/fast/perspective-inl.h"
+#include "core/fast/tiny-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace texelscope {
+namespace HWY_NAMESPACE {
+
+constexpr int kNarrow = 4, kMedium = 24;  ///< rows up to these are drawn 4 or 8 pixels at once: measured [px]
+
+/// Every sample by the exact triangle: for coordinates whose differences double does not hold.
+HWY_NOINLINE void draw_slowly(int triangle, const Canvas& canvas) {
+    const RasterTarget& target = canvas.target;
+    ++canvas.counters->slow;
+    Decider decider(canvas, triangle);
+    const int winding = decider.exact().winding();
+    if (winding == 0 || (canvas.job->cull_back && winding < 0)) return;
+    const Vertex* const p = canvas.corners(triangle);
+    const auto [low, high] = std::minmax({p[0].y, p[1].y, p[2].y});
+    const auto row = [&](float y) {
+        const double inside = static_cast<double>(y) - target.y0;
+        return static_cast<int>(std::clamp(inside, 0.0, static_cast<double>(target.height)));
+    };
+    for (int y = row(std::floor(low) - 1); y < row(std::ceil(high) + 1); ++y) {
+        const Integer left = target.x0;
+        const PixelRange range = decider.exact().row(Integer{y} + target.y0, left, left + target.width);
+        for (Integer column = range.x0; column < range.x1; ++column) {
+            const auto x = static_cast<int>(column - left);
+            ++canvas.counters->samples;
+            if (canvas.job->depth) {
+                float& nearest = target.depth[y * target.pitch + x];
+                const float z = decider.depth(x, y);
+                if (!(z < nearest)) continue;
+                nearest = z;
+            }
+            target.pixels[y * target.pitch + x] = texel_at(canvas, decider.texel(x, y));
+        }
+    }
+}
+
+/// False: nothing is drawn, the triangle is for draw_slowly(). Narrow vectors only where they are met most: each width
+/// is compiled anew.
+template <Addressing kAddressing, bool kDepth>
+HWY_INLINE bool draw_triangle(const Batch& b, int t, const Canvas& canvas) {
+    constexpr bool kMost = kAddressing == Addressing::powers;
+    const hn::ScalableTag<uint32_t> wide;
+    const hn::CappedTag<uint32_t, kMost ? 8 : hn::MaxLanes(wide)> medium;
+    const hn::CappedTag<uint32_t, kMost && !kDepth ? 4 : hn::MaxLanes(medium)> narrow;
+    const int widest = b.widest.at[t];
+    if (canvas.job->perspective && (b.flat.at[t] == 0 || !canvas.settings->skip(RasterSkip::equal_w))) {
+        if (widest <= kMedium)
+            draw_perspective<kAddressing, kDepth>(medium, b, t, canvas);
+        else
+            draw_perspective<kAddressing, kDepth>(wide, b, t, canvas);
+        return true;
+    }
+    if (canvas.job->perspective) ++canvas.counters->of(RasterSkip::equal_w);
+    if constexpr (kMost && !kDepth)
+        if (b.tiny.at[t] != 0 && draw_tiny<kAddressing>(b, t, canvas)) return true;
+    if (widest <= kNarrow) return draw_rows<kAddressing, kDepth>(narrow, b, t, canvas);
+    if (widest <= kMedium) return draw_rows<kAddressing, kDepth>(medium, b, t, canvas);
+    return draw_rows<kAddressing, kDepth>(wide, b, t, canvas);
+}
+
+/// Sets up the triangles that wait and draws them.
+template <Addressing kAddressing, bool kDepth>
+HWY_INLINE void flush(Batch& batch, int& count, const Canvas& canvas) {
+    if (count == 0) return;
+    for (int n = count; n < kBatch; ++n) batch.index.at[n] = batch.index.at[0];
+    set_up(batch, canvas);
+    for (int t = 0; t < count; ++t) {
+        ++canvas.counters->drawn;
+        // Culled only here where the skip is off: it costs what it costs, and shows nothing.
+        if (canvas.job->cull_back && batch.front.at[t] == 0) continue;
+        if (!draw_triangle<kAddressing, kDepth>(batch, t, canvas)) draw_slowly(batch.index.at[t], canvas);
+        if constexpr (kDepth) {
+            const PixelBox box{batch.column0.at[t], batch.row0.at[t], batch.column1.at[t], batch.row1.at[t]};
+            if (box.x0 < box.x1 && box.y0 < box.y1) canvas.tiles->touch(box);
+        }
+    }
+    count = 0;
+}
+
+/// Lanes of triangles, and what is known of them without a set-up.
+struct Looked {
+    uint32_t keep;  ///< bit n: lane n is to be drawn
+    uint32_t fine;  ///< double holds its coordinates' differences
+    EightInt column0, row0, column1, row1;
+    EightFloat nearest;
+};
+
+/// Looks at the triangles from `first` on, as many as there are lanes.
+HWY_NOINLINE void look_at(int first, int all, const Canvas& canvas, Looked& looked) {
+    const Real d;
+    const RasterTarget& target = canvas.target;
+    const RasterSettings& settings = *canvas.settings;
+    const auto* const base = reinterpret_cast<const float*>(canvas.job->vertices.data());
+    const auto index = hn::Mul(hn::Min(hn::Iota(Index{}, first), hn::Set(Index{}, all - 1)), hn::Set(Index{}, 18));
+    const Corners p(base, index, target);
+    auto there = hn::FirstN(d, static_cast<size_t>(std::min(kReals, all - first)));
+    const auto drop = [&](RasterSkip skip, hn::Mask<Real> which) HWY_ATTR {
+        if (!settings.skip(skip)) return;
+        const auto dropped = hn::And(there, which);
+        canvas.counters->of(skip) += hn::CountTrue(Real{}, dropped);
+        there = hn::AndNot(which, there);
+    };
+    const V low_x = least_of(p.x0, p.x1, p.x2), high_x = most_of(p.x0, p.x1, p.x2);
+    const V low_y = least_of(p.y0, p.y1, p.y2), high_y = most_of(p.y0, p.y1, p.y2);
+    const V zero = hn::Zero(d), width = hn::Set(d, target.width), height = hn::Set(d, target.height);
+    drop(RasterSkip::off_screen, hn::Or(hn::Or(hn::Le(high_x, zero), hn::Le(high_y, zero)),
+                                        hn::Or(hn::Ge(low_x, width), hn::Ge(low_y, height))));
+    const V c0 = first_centre(low_x, target.width), c1 = first_centre(high_x, target.width);
+    const V r0 = first_centre(low_y, target.height), r1 = first_centre(high_y, target.height);
+    drop(RasterSkip::no_sample, hn::Or(hn::Ge(c0, c1), hn::Ge(r0, r1)));
+
+    const bool moved = target.x0 != 0 || target.y0 != 0;
+    auto fine = hn::Or(p.coarse(), p.fine());
+    if (moved) {
+        constexpr int kFarthest = 1 << 23;
+        const bool near = std::abs(target.x0) < kFarthest && std::abs(target.y0) < kFarthest;
+        fine = near ? Corners(base, index, RasterTarget{}).fine() : hn::FirstN(d, 0);
+    }
+    const V area = p.area();
+    drop(RasterSkip::zero_area, hn::And(fine, hn::Eq(area, zero)));
+    if (canvas.job->cull_back) drop(RasterSkip::back_face, hn::And(fine, hn::Lt(area, zero)));
+    looked.keep = bits_of(d, there), looked.fine = bits_of(d, fine);
+    if (canvas.tiles == nullptr) return;
+    store_int(c0, looked.column0, 0), store_int(c1, looked.column1, 0);
+    store_int(r0, looked.row0, 0), store_int(r1, looked.row1, 0);
+    const V nearest = least_of(field(base, index, 2), field(base, index, 8), field(base, index, 14));
+    hn::Store(hn::DemoteTo(Narrow{}, nearest), Narrow{}, looked.nearest.at);
+}
+
+/// Whether all that the triangle could draw is hidden.
+HWY_INLINE bool is_hidden(const Looked& looked, int lane, const Canvas& canvas) {
+    if (!canvas.settings->skip(RasterSkip::hidden)) return false;
+    const PixelBox box{looked.column0.at[lane], looked.row0.at[lane], looked.column1.at[lane], looked.row1.at[lane]};
+    if (box.x0 >= box.x1 || box.y0 >= box.y1 || !canvas.tiles->hides(box, looked.nearest.at[lane])) return false;
+    ++canvas.counters->of(RasterSkip::hidden);
+    return true;
+}
+
+template <Addressing kAddressing, bool kDepth>
+HWY_INLINE void draw_triangles(const Canvas& canvas) {
+    constexpr int kAhead = 2048;  // the stream of vertices is fetched so far ahead [bytes]
+    const int all = static_cast<int>(canvas.job->vertices.size() / 3);
+    const auto* const bytes = reinterpret_cast<const char*>(canvas.job->vertices.data());
+    constexpr int kTriangle = 3 * sizeof(Vertex);
+    Batch batch;
+    int waiting = 0;
+    for (int first = 0; first < all; first += kReals) {
+        for (int line = 0; line < kReals * kTriangle; line += 64)
+            hwy::Prefetch(bytes + std::ptrdiff_t{first} * kTriangle + kAhead + line);
+        Looked looked;
+        look_at(first, all, canvas, looked);
+        for (uint32_t mask = looked.keep; mask != 0; mask &= mask - 1) {
+            const int lane = std::countr_zero(mask);
+            if (kDepth && is_hidden(looked, lane, canvas)) continue;
+            if ((looked.fine >> lane & 1) == 0) {
+                flush<kAddressing, kDepth>(batch, waiting, canvas);
+                draw_slowly(first + lane, canvas);
+                if constexpr (kDepth) canvas.tiles->touch({0, 0, canvas.target.width, canvas.target.height});
+                continue;
+            }
+            batch.index.at[waiting++] = first + lane;
+            if (waiting == kBatch) flush<kAddressing, kDepth>(batch, waiting, canvas);
+        }
+    }
+    flush<kAddressing, kDepth>(batch, waiting, canvas);
+    canvas.counters->triangles += static_cast<uint64_t>(all);
+}
+
+template <Addressing kAddressing>
+HWY_INLINE void draw_addressed(const Canvas& canvas) {
+    if (canvas.job->depth)
+        draw_triangles<kAddressing, true>(canvas);
+    else
+        draw_triangles<kAddressing, false>(canvas);
+}
+
+HWY_ATTR void draw_all(const Canvas& canvas) {
+    switch (canvas.addressing) {
+        case Addressing::powers:
+            if constexpr (HWY_TARGET != HWY_SCALAR) return draw_addressed<Addressing::powers>(canvas);
+            [[fallthrough]];
+        case Addressing::any_size: return draw_addressed<Addressing::any_size>(canvas);
+        case Addressing::clamped: return draw_addressed<Addressing::clamped>(canvas);
+    }
+}
+
+const RegisterTarget kRegistered(HWY_TARGET, draw_all);
+
+}  // namespace HWY_NAMESPACE
+}  // namespace texelscope
+HWY_AFTER_NAMESPACE();
+#endif
