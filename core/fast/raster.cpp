@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include "core/base/assert.h"
+#include "core/fast/bands.h"
 #include "core/fast/dispatch.h"
 #include "core/fast/triangles-inl.h"
 
@@ -63,11 +64,17 @@ RegisterTarget::RegisterTarget(std::int64_t bits, DrawAll draw) { targets().push
 
 bool is_supported(SimdLevel level) { return find_draw(level) != nullptr; }
 
-void draw(const RasterTarget& target, const RasterTexture& texture, const RasterJob& job,
-          const RasterSettings& settings, RasterCounters& counters) {
-    const DrawAll draw_all = find_draw(settings.level);
-    TEXELSCOPE_ASSERT(draw_all != nullptr && (!job.depth || target.depth != nullptr));
-    if (job.vertices.size() < 3) return;
+RasterCounters& RasterCounters::operator+=(const RasterCounters& other) {
+    triangles += other.triangles, drawn += other.drawn, slow += other.slow, samples += other.samples;
+    crossings += other.crossings, in_double += other.in_double, in_whole += other.in_whole;
+    for (std::size_t n = 0; n < skipped.size(); ++n) skipped[n] += other.skipped[n];
+    return *this;
+}
+
+namespace {
+
+void draw_band(const RasterTarget& target, const RasterTexture& texture, const RasterJob& job,
+               const RasterSettings& settings, RasterCounters& counters) {
     std::optional<DepthTiles> tiles;
     if (job.depth) tiles.emplace(target);
     Canvas canvas{.target = target,
@@ -81,7 +88,25 @@ void draw(const RasterTarget& target, const RasterTexture& texture, const Raster
                   .v_unit = 0x1p32 * job.v_texels / texture.height};
     if (canvas.addressing == Addressing::powers)
         canvas.u_bits = log2_of(texture.width), canvas.v_bits = log2_of(texture.height);
-    draw_all(canvas);
+    find_draw(settings.level)(canvas);
+}
+
+}  // namespace
+
+void draw(const RasterTarget& target, const RasterTexture& texture, const RasterJob& job,
+          const RasterSettings& settings, RasterCounters& counters) {
+    TEXELSCOPE_ASSERT(is_supported(settings.level) && (!job.depth || target.depth != nullptr));
+    TEXELSCOPE_ASSERT(settings.threads >= 1 && settings.threads <= kMaxRasterThreads);
+    if (job.vertices.size() < 3) return;
+    if (settings.threads == 1) return draw_band(target, texture, job, settings, counters);
+    std::vector<RasterCounters> each(static_cast<std::size_t>(settings.threads));
+    for_each_band(settings.threads, target.height, [&](int band, int first, int last) {
+        RasterTarget rows = target;
+        rows.pixels += first * target.pitch, rows.height = last - first, rows.y0 += first;
+        if (rows.depth != nullptr) rows.depth += first * target.pitch;
+        draw_band(rows, texture, job, settings, each[static_cast<std::size_t>(band)]);
+    });
+    for (const RasterCounters& one : each) counters += one;
 }
 
 }  // namespace texelscope

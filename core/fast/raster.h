@@ -74,16 +74,20 @@ inline constexpr std::array<RasterSkipInfo, 6> kRasterSkips{{
     {RasterSkip::equal_w, "equal-w", "Triangles with equal w at all corners are drawn without a division a pixel."},
 }};
 
+inline constexpr int kMaxRasterThreads = 64;
+
 struct RasterSettings {
     SimdLevel level = SimdLevel::best;  ///< must be supported
     std::uint32_t skips = ~0U;          ///< bit n: RasterSkip n is on
+    int threads = 1;                    ///< each draws a band of the target, [1, kMaxRasterThreads]
 
     [[nodiscard]] constexpr bool skip(RasterSkip which) const {
         return (skips >> static_cast<unsigned>(which) & 1U) != 0;
     }
 };
 
-/// How often each decision was made, and what for.
+/// How often each decision was made, and what for. Of several threads each looks at all triangles, those of other bands
+/// being off its screen.
 struct RasterCounters {
     std::uint64_t triangles = 0;  ///< looked at
     std::uint64_t drawn = 0;      ///< set up
@@ -94,6 +98,7 @@ struct RasterCounters {
     std::uint64_t in_double = 0;  ///< texels decided again
     std::uint64_t in_whole = 0;   ///< texels and depths that double could not decide either
 
+    RasterCounters& operator+=(const RasterCounters& other);
     [[nodiscard]] std::uint64_t& of(RasterSkip skip) { return skipped[static_cast<std::size_t>(skip)]; }
 };
 

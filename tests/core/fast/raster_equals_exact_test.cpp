@@ -233,6 +233,27 @@ TEST(RasterEqualsExact, WhereManyTrianglesAreDrawnAtOnce) {
         }
 }
 
+TEST(RasterThreads, DrawTheSamePicture) {
+    laws::Dice dice(7);
+    const RasterTexture& texture = textures()[0].texture;
+    std::vector<Vertex> vertices;
+    for (int n = 0; n < 400; ++n) {
+        const auto corners = random_triangle(dice, n);
+        vertices.insert(vertices.end(), corners.begin(), corners.end());
+    }
+    for (const bool depth : {false, true}) {
+        RasterJob job = job_of(vertices, texture);
+        job.depth = depth, job.perspective = true;
+        RasterCounters one;
+        const Picture expected = drawn(texture, job, one);
+        for (const int threads : {2, 3, 4, 7, kMaxRasterThreads}) {
+            RasterCounters counters;
+            ASSERT_EQ(drawn(texture, job, counters, {.threads = threads}), expected) << threads;
+            if (!depth) EXPECT_EQ(counters.samples, one.samples) << threads;  // tiles hide as far as a band goes
+        }
+    }
+}
+
 /// Any subset of the skips leaves the picture as it is.
 TEST(RasterSkips, ChangeNoPixel) {
     laws::Dice dice(6);
