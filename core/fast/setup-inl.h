@@ -175,7 +175,9 @@ HWY_INLINE void coordinate(const float* base, hn::Vec<Index> index, int offset, 
     const Real d;
     const V a0 = field(base, index, offset), a1 = field(base, index, offset + 6), a2 = field(base, index, offset + 12);
     const V unit = unit_of(a0, a1, a2, canvas, offset == 4, out.shift, lane);
-    const V unsure = plane(a0, a1, a2, s, unit, out.plane, lane);
+    // 24 half ulps of 2^50 are 2.7: from there on double does not hold whole units, and the slow path has to.
+    const V lost = plane(a0, a1, a2, s, unit, out.plane, lane);
+    const V unsure = hn::IfThenElse(hn::Lt(lost, hn::Set(d, 2.0)), lost, hn::Set(d, 0x1p40));
     hn::Store(unsure, d, out.unsure.at + lane);
     // A start is rounded to whole units, and each step by up to half of one.
     hn::Store(hn::Add(unsure, hn::MulAdd(s.width, hn::Set(d, .5), hn::Set(d, 4.0))), d, out.doubt.at + lane);

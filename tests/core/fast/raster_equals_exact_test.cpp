@@ -108,6 +108,7 @@ std::vector<Vertex> random_triangle(laws::Dice& dice, int n) {
     if (n % 13 == 0) corners[0].x = dice.within(-1e-30, 1e-30), corners[1].y = dice.within(-1e-40, 1e-40);
     if (n % 17 == 0) corners[2].x *= 1e8F;
     if (n % 19 == 0) corners[1].w *= 1e6F;
+    if (n % 23 == 0) corners[1].u *= 1e9F, corners[2].v *= 1e7F;
     return corners;
 }
 
@@ -249,7 +250,8 @@ TEST(RasterThreads, DrawTheSamePicture) {
         for (const int threads : {2, 3, 4, 7, kMaxRasterThreads}) {
             RasterCounters counters;
             ASSERT_EQ(drawn(texture, job, counters, {.threads = threads}), expected) << threads;
-            if (!depth) EXPECT_EQ(counters.samples, one.samples) << threads;  // tiles hide as far as a band goes
+            // With depth, tiles hide what they do within a band.
+            EXPECT_TRUE(depth || counters.samples == one.samples) << threads;
         }
     }
 }
