@@ -24,22 +24,26 @@ HWY_INLINE hn::Mask<Tag> pass_depth(const DepthRow<Tag>& depth, int x, int y, hn
     return hn::RebindMask(Tag{}, nearer);
 }
 
-/// Pixels [x, x + lanes) of `in`, of which some texels are unsure.
+/// Pixels [x, x + lanes) of a row, some of which are unsure. False: double cannot tell one of them, and `only_double`.
 template <class Tag>
-HWY_NOINLINE void mend(Tag p, Again& again, int x, int y, hn::Mask<Tag> unsure, const Canvas& canvas) {
+HWY_NOINLINE bool mend(Tag p, Again& again, int x, int y, hn::Mask<Tag> unsure, bool only_double,
+                       const Canvas& canvas) {
     uint32_t* const line = canvas.target.pixels + y * canvas.target.pitch;
     for (uint32_t m = bits_of(p, unsure); m != 0; m &= m - 1) {
         const int at = x + std::countr_zero(m);
-        line[at] = again.texel(at, y);
+        if (!only_double)
+            line[at] = again.texel(at, y);
+        else if (!again.texel_in_double(at, y, line[at]))
+            return false;
     }
+    return true;
 }
 
-/// Rows [row, row + count), some texels of which are unsure.
+/// Rows [row, row + count), some texels of which are unsure. Returns as mend() does.
 template <Addressing kAddressing, class Tag>
-HWY_NOINLINE void rows_again(Tag p, const Batch& b, int t, int row, int count, const Rows& rows, const Canvas& canvas,
-                             const Texels<Tag, kAddressing>& texels) {
+HWY_NOINLINE bool rows_again(Tag p, const Batch& b, int t, int row, int count, const Rows& rows, Again& again,
+                             bool only_double, const Canvas& canvas, const Texels<Tag, kAddressing>& texels) {
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
-    Again again(canvas, b, t, false);
     const auto u_x = hn::Set(p, static_cast<uint32_t>(b.u.step.at[t])),
                v_x = hn::Set(p, static_cast<uint32_t>(b.v.step.at[t]));
     for (int n = 0; n < count; ++n) {
@@ -49,17 +53,20 @@ HWY_NOINLINE void rows_again(Tag p, const Batch& b, int t, int row, int count, c
             const auto steps = hn::Iota(p, static_cast<uint32_t>(x - rows.x0.at[n]));
             const auto in = hn::FirstN(p, static_cast<size_t>(rows.x1.at[n] - x));
             const auto unsure = texels.unsure(hn::Add(hn::Mul(u_x, steps), u0), hn::Add(hn::Mul(v_x, steps), v0));
-            mend(p, again, x, row + n, hn::And(in, unsure), canvas);
+            if (!mend(p, again, x, row + n, hn::And(in, unsure), only_double, canvas)) return false;
         }
     }
+    return true;
 }
 
 /// The rows of one triangle, as many pixels at once as `Tag` has lanes. False: too much was in doubt, nothing is drawn.
 template <Addressing kAddressing, bool kDepth, class Tag>
 HWY_NOINLINE bool draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) {
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
-    const Texels<Tag, kAddressing> texels(canvas, b.u.doubt.at[t], b.v.doubt.at[t], b.u.shift.at[t], b.v.shift.at[t]);
+    const double u_doubt = b.u.doubt.at[t], v_doubt = b.v.doubt.at[t];
+    Texels<Tag, kAddressing> texels(canvas, b, t, u_doubt, v_doubt, {});
     if (!texels.fits()) return false;
+    bool ties_known = false;
     const auto u_x = hn::Set(p, static_cast<uint32_t>(b.u.step.at[t])),
                v_x = hn::Set(p, static_cast<uint32_t>(b.v.step.at[t]));
     const auto lanes = hn::Iota(p, 0), all = hn::Set(p, ~0U);
@@ -71,8 +78,10 @@ HWY_NOINLINE bool draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
     for (int row = b.row0.at[t]; row < b.row1.at[t]; row += kBatch) {
         Rows rows;
         const int count = std::min(kBatch, b.row1.at[t] - row);
-        cross<true>(b, t, row, count, columns, canvas, rows);
+        cross(b, t, row, count, columns, canvas, rows);
+        start(b, t, row, texels.u.bias, texels.v.bias, rows);
         auto least_u = all, least_v = all;
+        const uint64_t before = samples;
         uint32_t* line = canvas.target.pixels + row * pitch;
         for (int n = 0; n < count; ++n, line += pitch) {
             const int x0 = rows.x0.at[n];
@@ -91,7 +100,7 @@ HWY_NOINLINE bool draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
                     if (!hn::AllFalse(p, nearer)) {
                         store_some(texels.fetch(u, v), nearer, p, line + x);
                         if (const auto unsure = hn::And(nearer, texels.unsure(u, v)); !hn::AllFalse(p, unsure))
-                            mend(p, again, x, row + n, unsure, canvas);
+                            mend(p, again, x, row + n, unsure, false, canvas);
                     }
                     u = hn::Add(u, u_step), v = hn::Add(v, v_step);
                 }
@@ -110,8 +119,14 @@ HWY_NOINLINE bool draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
                 least_v = hn::Min(least_v, hn::IfThenElse(in, texels.v.rest(v), all));
             }
         }
-        if (!kDepth && !hn::AllFalse(p, hn::Or(hn::Lt(least_u, texels.u.least), hn::Lt(least_v, texels.v.least))))
-            rows_again<kAddressing>(p, b, t, row, count, rows, canvas, texels);
+        if (kDepth || hn::AllFalse(p, hn::Or(hn::Lt(least_u, texels.u.least), hn::Lt(least_v, texels.v.least))))
+            continue;
+        Again again(canvas, b, t, false);
+        if (!rows_again(p, b, t, row, count, rows, again, !ties_known, canvas, texels)) {
+            // One that double cannot tell is rarely alone: these rows once more, past all ties.
+            texels = Texels<Tag, kAddressing>(canvas, b, t, u_doubt, v_doubt, again.half_gaps());
+            ties_known = true, row -= kBatch, samples = before;
+        }
     }
     canvas.counters->samples += samples;
     return true;

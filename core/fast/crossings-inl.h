@@ -55,16 +55,15 @@ HWY_NOINLINE void cross_again(const Batch& b, int t, int row, int count, const C
     }
 }
 
-/// u at eight rows' first pixels.
-HWY_INLINE void start(const CoordinateEight& u, int t, V right, V down, EightInt& to, int lane) {
+/// u at eight rows' first pixels, moved by `bias`.
+HWY_INLINE void start(const CoordinateEight& u, int t, V right, V down, double bias, EightInt& to, int lane) {
     const Real d;
-    const V at = hn::Set(d, u.plane.at.at[t] + u.doubt.at[t]);
+    const V at = hn::Set(d, u.plane.at.at[t] + bias);
     store_fraction(hn::MulAdd(right, hn::Set(d, u.plane.x.at[t]), hn::MulAdd(down, hn::Set(d, u.plane.y.at[t]), at)),
                    to, lane);
 }
 
-/// Rows [row, row + count), and u and v where they begin if these are wanted.
-template <bool kStarts>
+/// Rows [row, row + count).
 HWY_INLINE void cross(const Batch& b, int t, int row, int count, const Columns& columns, const Canvas& canvas,
                       Rows& rows) {
     const Real d;
@@ -89,19 +88,18 @@ HWY_INLINE void cross(const Batch& b, int t, int row, int count, const Columns& 
         }
         const V first = hn::Ceil(from);
         store_int(first, rows.x0, lane), store_int(hn::Ceil(to), rows.x1, lane);
-        if constexpr (kStarts) {
-            const V right = hn::Sub(first, hn::Set(d, b.column0.at[t])), down = hn::Sub(n, hn::Set(d, b.row0.at[t]));
-            start(b.u, t, right, down, rows.u, lane), start(b.v, t, right, down, rows.v, lane);
-        }
     }
-    if (!again) return;
-    cross_again(b, t, row, count, columns, canvas, rows);
-    if constexpr (kStarts)
-        for (int lane = 0; lane < kBatch; lane += kReals) {
-            const V first = hn::PromoteTo(d, hn::Load(Index{}, rows.x0.at + lane));
-            const V right = hn::Sub(first, hn::Set(d, b.column0.at[t])), down = hn::Iota(d, row + lane - b.row0.at[t]);
-            start(b.u, t, right, down, rows.u, lane), start(b.v, t, right, down, rows.v, lane);
-        }
+    if (again) cross_again(b, t, row, count, columns, canvas, rows);
+}
+
+/// u and v where the rows begin, moved by their biases [units].
+HWY_INLINE void start(const Batch& b, int t, int row, double u_bias, double v_bias, Rows& rows) {
+    const Real d;
+    for (int lane = 0; lane < kBatch; lane += kReals) {
+        const V first = hn::PromoteTo(d, hn::Load(Index{}, rows.x0.at + lane));
+        const V right = hn::Sub(first, hn::Set(d, b.column0.at[t])), down = hn::Iota(d, row + lane - b.row0.at[t]);
+        start(b.u, t, right, down, u_bias, rows.u, lane), start(b.v, t, right, down, v_bias, rows.v, lane);
+    }
 }
 
 }  // namespace HWY_NAMESPACE

@@ -35,21 +35,34 @@ std::uint32_t place_of(const RasterTexture& texture, const TexelIndex& texel) {
            static_cast<std::uint32_t>(wrap_index(texel.u, texture.width, texture.wrap));
 }
 
+std::array<Vertex, 3> Decider::corners() const {
+    const Vertex* const p = canvas_->corners(triangle_);
+    std::array<Vertex, 3> corners{p[0], p[1], p[2]};
+    if (!canvas_->job->perspective)
+        for (Vertex& corner : corners) corner.w = 1;
+    return corners;
+}
+
 const ExactTriangle& Decider::exact() {
-    if (!exact_) {
-        const RasterJob& job = *canvas_->job;
-        const Vertex* const p = canvas_->corners(triangle_);
-        std::array<Vertex, 3> corners{p[0], p[1], p[2]};
-        if (!job.perspective)
-            for (Vertex& corner : corners) corner.w = 1;
-        exact_.emplace(corners, job.u_texels, job.v_texels);
-    }
+    if (!exact_) exact_.emplace(corners(), canvas_->job->u_texels, canvas_->job->v_texels);
     return *exact_;
 }
 
+const std::optional<WideTriangle>& Decider::wide() {
+    const RasterJob& job = *canvas_->job;
+    if (!looked_)
+        wide_ = WideTriangle::make(corners(), job.u_texels, job.v_texels, canvas_->target.x0, canvas_->target.y0);
+    looked_ = true;
+    return wide_;
+}
+
+WideTriangle::Gaps Decider::gaps() { return wide() ? wide_->gaps() : WideTriangle::Gaps{}; }
+
 std::uint32_t Decider::texel(int x, int y) {
     ++canvas_->counters->in_whole;
-    return place_of(canvas_->texture, exact().texel(x + canvas_->target.x0, y + canvas_->target.y0));
+    const TexelIndex texel =
+        wide() ? wide_->texel(x, y) : exact().texel(x + canvas_->target.x0, y + canvas_->target.y0);
+    return place_of(canvas_->texture, texel);
 }
 
 float Decider::depth(int x, int y) {

@@ -7,6 +7,7 @@
 
 #include "core/exact/triangle.h"
 #include "core/fast/canvas.h"
+#include "core/fast/wide_triangle.h"
 
 namespace texelscope {
 
@@ -17,7 +18,8 @@ namespace texelscope {
 /// The place in the texture of a texel before wrapping.
 [[nodiscard]] std::uint32_t place_of(const RasterTexture& texture, const TexelIndex& texel);
 
-/// One triangle, decided in whole numbers; these are made only if somebody asks.
+/// One triangle, decided in whole numbers: of 128 bits if they do, of any size if not. They are made only if somebody
+/// asks.
 class Decider {
 public:
     Decider(const Canvas& canvas, int triangle) : canvas_(&canvas), triangle_(triangle) {}
@@ -26,10 +28,17 @@ public:
     [[nodiscard]] std::uint32_t texel(int x, int y);
     [[nodiscard]] float depth(int x, int y);
     [[nodiscard]] const ExactTriangle& exact();
+    /// Where ties are so many that deciding each of them would cost more than the triangle.
+    [[nodiscard]] WideTriangle::Gaps gaps();
 
 private:
+    [[nodiscard]] std::array<Vertex, 3> corners() const;
+    [[nodiscard]] const std::optional<WideTriangle>& wide();
+
     const Canvas* canvas_;
     int triangle_;
+    bool looked_ = false;  ///< whether `wide_` can be made
+    std::optional<WideTriangle> wide_;
     std::optional<ExactTriangle> exact_;
 };
 

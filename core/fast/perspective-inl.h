@@ -105,20 +105,20 @@ HWY_NOINLINE void rows_in_double(const Batch& b, int t, int row, int count, cons
 }
 
 template <Addressing kAddressing, class Tag>
-HWY_NOINLINE void perspective_again(Tag p, const Batch& b, int t, int row, int count, const Rows& rows,
-                                    const Slopes& slope, const Canvas& canvas, const Texels<Tag, kAddressing>& texels) {
+HWY_NOINLINE bool perspective_again(Tag p, int row, int count, const Rows& rows, const Slopes& slope, Again& again,
+                                    bool only_double, const Canvas& canvas, const Texels<Tag, kAddressing>& texels) {
     const hn::Rebind<float, Tag> f;
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
-    Again again(canvas, b, t, true);
     for (int n = 0; n < count; ++n) {
         const PerspectiveRow<Tag> line(rows, slope, n);
         for (int x = rows.x0.at[n]; x < rows.x1.at[n]; x += kLanes) {
             auto u = hn::Zero(p), v = hn::Zero(p);
             line.at(hn::Iota(f, static_cast<float>(x - rows.x0.at[n])), u, v);
             const auto in = hn::FirstN(p, static_cast<size_t>(rows.x1.at[n] - x));
-            mend(p, again, x, row + n, hn::And(in, texels.unsure(u, v)), canvas);
+            if (!mend(p, again, x, row + n, hn::And(in, texels.unsure(u, v)), only_double, canvas)) return false;
         }
     }
+    return true;
 }
 
 template <Addressing kAddressing, bool kDepth, class Tag>
@@ -130,24 +130,26 @@ HWY_NOINLINE void draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
     const int last_column = b.column1.at[t];
     const std::ptrdiff_t pitch = canvas.target.pitch;
     uint64_t samples = 0;
+    HalfGaps gaps;
+    bool ties_known = false;
     for (int band = b.column0.at[t]; band < last_column; band += kBand)
         for (int row = b.row0.at[t]; row < b.row1.at[t]; row += kBatch) {
             Rows rows;
             Slopes slope;
             Eight u_first, v_first;
             const int count = std::min(kBatch, b.row1.at[t] - row);
-            cross<false>(b, t, row, count, {band, std::min(band + kBand, last_column)}, canvas, rows);
+            cross(b, t, row, count, {band, std::min(band + kBand, last_column)}, canvas, rows);
             slope.u_doubt = slopes_of(b, t, row, count, rows, b.u_over, b.u_far.at[t], u_first, slope.u, slope.one);
             slope.v_doubt = slopes_of(b, t, row, count, rows, b.v_over, b.v_far.at[t], v_first, slope.v, slope.one);
+            const uint64_t before = samples;
             for (int n = 0; n < count; ++n)
                 samples += static_cast<uint64_t>(std::max(0, rows.x1.at[n] - rows.x0.at[n]));
-            const Texels<Tag, kAddressing> texels(canvas, slope.u_doubt, slope.v_doubt, b.u.shift.at[t],
-                                                  b.v.shift.at[t]);
+            const Texels<Tag, kAddressing> texels(canvas, b, t, slope.u_doubt, slope.v_doubt, gaps);
             if (!texels.fits()) {
                 rows_in_double<kDepth>(b, t, row, count, rows, canvas);
                 continue;
             }
-            bias(u_first, slope.u_doubt, rows.u), bias(v_first, slope.v_doubt, rows.v);
+            bias(u_first, texels.u.bias, rows.u), bias(v_first, texels.v.bias, rows.v);
             auto least_u = all, least_v = all, u = all, v = all;
             uint32_t* line = canvas.target.pixels + row * pitch;
             for (int n = 0; n < count; ++n, line += pitch) {
@@ -167,7 +169,7 @@ HWY_NOINLINE void draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
                         along.at(i, u, v);
                         store_some(texels.fetch(u, v), nearer, p, line + x);
                         if (const auto unsure = hn::And(nearer, texels.unsure(u, v)); !hn::AllFalse(p, unsure))
-                            mend(p, again, x, row + n, unsure, canvas);
+                            mend(p, again, x, row + n, unsure, false, canvas);
                     }
                     continue;
                 }
@@ -186,8 +188,11 @@ HWY_NOINLINE void draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
                     }
                 }
             }
-            if (!kDepth && !hn::AllFalse(p, hn::Or(hn::Lt(least_u, texels.u.least), hn::Lt(least_v, texels.v.least))))
-                perspective_again(p, b, t, row, count, rows, slope, canvas, texels);
+            if (kDepth || hn::AllFalse(p, hn::Or(hn::Lt(least_u, texels.u.least), hn::Lt(least_v, texels.v.least))))
+                continue;
+            Again again(canvas, b, t, true);
+            if (!perspective_again(p, row, count, rows, slope, again, !ties_known, canvas, texels))
+                gaps = again.half_gaps(), ties_known = true, row -= kBatch, samples = before;
         }
     canvas.counters->samples += samples;
 }

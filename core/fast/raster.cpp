@@ -65,7 +65,8 @@ RegisterTarget::RegisterTarget(std::int64_t bits, DrawAll draw) { targets().push
 bool is_supported(SimdLevel level) { return find_draw(level) != nullptr; }
 
 RasterCounters& RasterCounters::operator+=(const RasterCounters& other) {
-    triangles += other.triangles, drawn += other.drawn, slow += other.slow, samples += other.samples;
+    triangles += other.triangles, drawn += other.drawn, refused += other.refused, slow += other.slow,
+        samples += other.samples;
     crossings += other.crossings, in_double += other.in_double, in_whole += other.in_whole;
     for (std::size_t n = 0; n < skipped.size(); ++n) skipped[n] += other.skipped[n];
     return *this;

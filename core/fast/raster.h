@@ -91,6 +91,7 @@ struct RasterSettings {
 struct RasterCounters {
     std::uint64_t triangles = 0;  ///< looked at
     std::uint64_t drawn = 0;      ///< set up
+    std::uint64_t refused = 0;    ///< with a number that is not finite, or w <= 0 where that matters
     std::array<std::uint64_t, kRasterSkips.size()> skipped{};
     std::uint64_t slow = 0;       ///< triangles whose coordinates are not exact in double's differences
     std::uint64_t samples = 0;    ///< inside a triangle; those behind others count, too
@@ -102,7 +103,7 @@ struct RasterCounters {
     [[nodiscard]] std::uint64_t& of(RasterSkip skip) { return skipped[static_cast<std::size_t>(skip)]; }
 };
 
-/// Requires finite vertices, w > 0 where the job is in perspective.
+/// A triangle with a number that is not finite, or with w <= 0 in perspective, draws nothing.
 void draw(const RasterTarget& target, const RasterTexture& texture, const RasterJob& job,
           const RasterSettings& settings, RasterCounters& counters);
 

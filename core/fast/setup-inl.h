@@ -32,6 +32,7 @@ struct CoordinateEight {
 /// Everything about eight triangles, computed side by side.
 struct Batch {
     EightInt index;  ///< which triangle
+    EightInt good;   ///< finite, w > 0 where that matters
     EightInt row0, row_mid, row1, column0, column1;
     Eight long_x, long_y, long_slope;          ///< the side from top to bottom: x = long_x + (y - long_y) slope
     Eight top_slope, low_x, low_y, low_slope;  ///< the two others; the upper begins where the long one does
@@ -170,8 +171,15 @@ HWY_INLINE V unit_of(V a0, V a1, V a2, const Canvas& canvas, bool is_u, EightInt
     return hn::Mul(power_of_two(bits), texels);
 }
 
-HWY_INLINE void coordinate(const float* base, hn::Vec<Index> index, int offset, const Shape& s, const Canvas& canvas,
-                           CoordinateEight& out, int lane) {
+/// 0, or NaN where one of them is not finite.
+HWY_INLINE V nothing_of(V a0, V a1, V a2) {
+    const V zero = hn::Zero(Real{});
+    return hn::MulAdd(a0, zero, hn::MulAdd(a1, zero, hn::Mul(a2, zero)));
+}
+
+/// Returns nothing_of() the corners' values.
+HWY_INLINE V coordinate(const float* base, hn::Vec<Index> index, int offset, const Shape& s, const Canvas& canvas,
+                        CoordinateEight& out, int lane) {
     const Real d;
     const V a0 = field(base, index, offset), a1 = field(base, index, offset + 6), a2 = field(base, index, offset + 12);
     const V unit = unit_of(a0, a1, a2, canvas, offset == 4, out.shift, lane);
@@ -183,6 +191,7 @@ HWY_INLINE void coordinate(const float* base, hn::Vec<Index> index, int offset, 
     hn::Store(hn::Add(unsure, hn::MulAdd(s.width, hn::Set(d, .5), hn::Set(d, 4.0))), d, out.doubt.at + lane);
     store_fraction(hn::Load(d, out.plane.x.at + lane), out.step, lane);
     store_fraction(hn::Load(d, out.plane.y.at + lane), out.down, lane);
+    return nothing_of(a0, a1, a2);
 }
 
 /// E of the side from a to b over the block of samples from (sx, sy): positive inside.
@@ -215,8 +224,9 @@ HWY_INLINE V rounded_plane(V a0, V a1, V a2, const Shape& s, PlaneEight& out, in
     return hn::Mul(hn::Add(grown, reach), hn::Set(d, 10 * kUlp));
 }
 
-HWY_INLINE void set_up_perspective(const float* base, hn::Vec<Index> index, const Shape& s, const Canvas& canvas,
-                                   Batch& batch, int lane) {
+/// Returns which w are finite and positive.
+HWY_INLINE hn::Mask<Real> set_up_perspective(const float* base, hn::Vec<Index> index, const Shape& s,
+                                             const Canvas& canvas, Batch& batch, int lane) {
     const Real d;
     const V w0 = field(base, index, 3), w1 = field(base, index, 9), w2 = field(base, index, 15), one = hn::Set(d, 1.0);
     const auto flat = hn::And(hn::Eq(w0, w1), hn::Eq(w0, w2));
@@ -239,6 +249,7 @@ HWY_INLINE void set_up_perspective(const float* base, hn::Vec<Index> index, cons
     };
     over(4, batch.u.shift, batch.u_over, batch.u_far);
     over(5, batch.v.shift, batch.v_over, batch.v_far);
+    return hn::And(hn::Gt(least_of(w0, w1, w2), hn::Zero(d)), hn::Eq(nothing_of(w0, w1, w2), hn::Zero(d)));
 }
 
 HWY_INLINE void set_up_tiny(const Corners& p, const Shape& s, V c0, V r0, hn::Mask<Real> coarse, Batch& batch,
@@ -302,12 +313,15 @@ HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
         s.most_x = hn::Max(hn::Abs(s.dx), hn::Abs(hn::Add(s.dx, s.width)));
         s.most_y = hn::Max(hn::Abs(s.dy), hn::Abs(hn::Add(s.dy, hn::Sub(r1, r0))));
         store_int(hn::IfThenElseZero(hn::Gt(s.area, hn::Zero(d)), hn::Set(d, 1.0)), batch.front, lane);
-        coordinate(base, index, 4, s, canvas, batch.u, lane), coordinate(base, index, 5, s, canvas, batch.v, lane);
-        if (canvas.job->perspective) set_up_perspective(base, index, s, canvas, batch, lane);
+        V nothing = hn::Add(coordinate(base, index, 4, s, canvas, batch.u, lane),
+                            coordinate(base, index, 5, s, canvas, batch.v, lane));
+        auto good = hn::Eq(half, half);
+        if (canvas.job->perspective) good = set_up_perspective(base, index, s, canvas, batch, lane);
         if (canvas.job->depth) {
             const V z0 = field(base, index, 2), z1 = field(base, index, 8), z2 = field(base, index, 14);
             const V unsure = plane(z0, z1, z2, s, hn::Set(d, 1.0), batch.z, lane);
             // At least half a denormal, the least that differs; and nothing where z is the same all over.
+            nothing = hn::Add(nothing, nothing_of(z0, z1, z2));
             const auto level = hn::And(hn::Eq(z0, z1), hn::Eq(z0, z2));
             hn::Store(hn::IfThenZeroElse(level, hn::Max(unsure, hn::Set(d, 0x1p-149))), d, batch.z_unsure.at + lane);
         } else {
@@ -319,6 +333,8 @@ HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
             store_int(hn::IfThenElseZero(tiny, hn::Set(d, 1.0)), batch.tiny, lane);
             if (!hn::AllFalse(d, tiny)) set_up_tiny(p, s, c0, r0, coarse, batch, lane);
         }
+        good = hn::And(good, hn::Eq(nothing, hn::Zero(d)));
+        store_int(hn::IfThenElseZero(good, hn::Set(d, 1.0)), batch.good, lane);
         set_up_sides(p, s.area, canvas, batch, lane);
     }
 }

@@ -39,16 +39,21 @@ template <class Tag, Addressing kAddressing>
 struct Axis {
     hn::Vec<Tag> least, size;
     int shift;
-    bool fits;  ///< else too much is in doubt for the texel to be told by it
+    double bias;  ///< what values must be moved by [units]
+    bool fits;    ///< else too much is in doubt for the texel to be told by it
 
-    HWY_INLINE Axis(double doubt, int shift_of_texel, int texels) : shift(shift_of_texel) {
+    /// @param half_gap  half of what lies between a border and any sample not on it, or 0 [units]: where the doubt is
+    ///                  less, a value moved by that half is right without a test.
+    HWY_INLINE Axis(double doubt, double half_gap, int shift_of_texel, int texels) : shift(shift_of_texel) {
         const Tag p;
         size = hn::Set(p, static_cast<uint32_t>(texels));
         // A texel's units. In doubt within an eighth of it, at most.
         const double texel =
             kAddressing == Addressing::any_size ? 0x1p32 / texels : static_cast<double>(int64_t{1} << shift);
         fits = 8 * doubt + 8 < texel;
-        const auto twice = fits ? static_cast<uint32_t>(2 * doubt) + 1 : 0;
+        const bool sure = half_gap > doubt + 1;
+        bias = sure ? half_gap : doubt;
+        const auto twice = fits && !sure ? static_cast<uint32_t>(2 * doubt) + 1 : 0;
         least = hn::Set(
             p, kAddressing == Addressing::any_size ? twice * static_cast<uint32_t>(texels) : twice << (32 - shift));
     }
@@ -72,6 +77,16 @@ struct Axis {
     }
 };
 
+/// Half of WideTriangle::Gaps [units]; 0 where nobody has asked.
+struct HalfGaps {
+    double u = 0, v = 0;
+};
+
+/// The units of a texel.
+HWY_INLINE double texel_units(const Canvas& canvas, const CoordinateEight& u, int t, int size) {
+    return canvas.addressing == Addressing::any_size ? 0x1p32 / size : static_cast<double>(int64_t{1} << u.shift.at[t]);
+}
+
 /// Both, and the texture.
 template <class Tag, Addressing kAddressing>
 struct Texels {
@@ -82,12 +97,12 @@ struct Texels {
     const uint32_t* light;
     int v_up;
 
-    HWY_INLINE Texels(const Canvas& canvas, double u_doubt, double v_doubt, int u_shift, int v_shift)
-        : u(u_doubt, u_shift, canvas.texture.width),
-          v(v_doubt, v_shift, canvas.texture.height),
+    HWY_INLINE Texels(const Canvas& canvas, const Batch& b, int t, double u_doubt, double v_doubt, const HalfGaps& gaps)
+        : u(u_doubt, gaps.u, b.u.shift.at[t], canvas.texture.width),
+          v(v_doubt, gaps.v, b.v.shift.at[t], canvas.texture.height),
           texels(canvas.texture.texels),
           light(canvas.job->light != nullptr ? canvas.job->light->data() : nullptr),
-          v_up(v_shift - canvas.u_bits) {
+          v_up(b.v.shift.at[t] - canvas.u_bits) {
         rows = hn::Set(Tag{}, static_cast<uint32_t>((canvas.texture.height - 1) * canvas.texture.width));
     }
     [[nodiscard]] HWY_INLINE bool fits() const { return u.fits && v.fits; }
@@ -135,18 +150,29 @@ public:
     HWY_INLINE Again(const Canvas& canvas, const Batch& b, int t, bool perspective)
         : canvas_(canvas), b_(b), t_(t), perspective_(perspective), decider_(canvas, b.index.at[t]) {}
 
-    /// The texel of the target's pixel (x, y).
-    [[nodiscard]] HWY_NOINLINE uint32_t texel(int x, int y) {
+    /// The texel of the target's pixel (x, y), where double can tell it.
+    [[nodiscard]] HWY_NOINLINE bool texel_in_double(int x, int y, uint32_t& texel) const {
         const RasterTexture& texture = canvas_.texture;
         ++canvas_.counters->in_double;
         const double right = x - b_.column0.at[t_], down = y - b_.row0.at[t_];
         TexelIndex index;
-        if (decided(right, down, b_.u, b_.u_over, b_.u_far.at[t_], texture.width, index.u) &&
-            decided(right, down, b_.v, b_.v_over, b_.v_far.at[t_], texture.height, index.v))
-            return texel_at(canvas_, place_of(texture, index));
-        return texel_at(canvas_, decider_.texel(x, y));
+        if (!decided(right, down, b_.u, b_.u_over, b_.u_far.at[t_], texture.width, index.u) ||
+            !decided(right, down, b_.v, b_.v_over, b_.v_far.at[t_], texture.height, index.v))
+            return false;
+        texel = texel_at(canvas_, place_of(texture, index));
+        return true;
+    }
+    /// The same, in any case.
+    [[nodiscard]] uint32_t texel(int x, int y) {
+        uint32_t texel = 0;
+        return texel_in_double(x, y, texel) ? texel : texel_at(canvas_, decider_.texel(x, y));
     }
     [[nodiscard]] float depth(int x, int y) { return decider_.depth(x, y); }
+    [[nodiscard]] HalfGaps half_gaps() {
+        const WideTriangle::Gaps gaps = decider_.gaps();
+        return {gaps.u / 2 * texel_units(canvas_, b_.u, t_, canvas_.texture.width),
+                gaps.v / 2 * texel_units(canvas_, b_.v, t_, canvas_.texture.height)};
+    }
 
 private:
     [[nodiscard]] static double at(const PlaneEight& p, int t, double right, double down) {
@@ -158,10 +184,8 @@ private:
         const double value =
             perspective_ ? at(over, t_, right, down) / at(b_.one, t_, right, down) : at(u.plane, t_, right, down);
         const double unsure = perspective_ ? far : u.unsure.at[t_];
-        // The units of a texel; a quotient by a size that is no power of two rounds once more.
-        const double texel = canvas_.addressing == Addressing::any_size
-                                 ? 0x1p32 / size
-                                 : static_cast<double>(int64_t{1} << u.shift.at[t_]);
+        // A quotient by a size that is no power of two rounds once more.
+        const double texel = texel_units(canvas_, u, t_, size);
         const double texels = value / texel, off = unsure / texel + std::abs(texels) * 4 * kUlp;
         const double below = std::floor(texels - off), above = std::floor(texels + off);
         if (!(below == above) || std::abs(below) > 0x1p50) return false;

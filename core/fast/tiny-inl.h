@@ -42,8 +42,7 @@ template <Addressing kAddressing>
 HWY_INLINE bool draw_tiny(const Batch& b, int t, const Canvas& canvas) {
     const hn::CappedTag<uint32_t, 16> p;
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
-    const Texels<decltype(p), kAddressing> texels(canvas, b.u.doubt.at[t], b.v.doubt.at[t], b.u.shift.at[t],
-                                                  b.v.shift.at[t]);
+    const Texels<decltype(p), kAddressing> texels(canvas, b, t, b.u.doubt.at[t], b.v.doubt.at[t], {});
     uint32_t inside = 0;
     if (!texels.fits() || !cover_tiny(b, t, inside)) return false;
     const int column = b.column0.at[t], row = b.row0.at[t];

@@ -16,6 +16,7 @@
 #include "core/fast/dispatch.h"
 #include "core/fast/perspective-inl.h"
 #include "core/fast/tiny-inl.h"
+#include "core/geometry/polygon.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace texelscope {
@@ -26,6 +27,10 @@ constexpr int kNarrow = 4, kMedium = 24;  ///< rows up to these are drawn 4 or 8
 /// Every sample by the exact triangle: for coordinates whose differences double does not hold.
 HWY_NOINLINE void draw_slowly(int triangle, const Canvas& canvas) {
     const RasterTarget& target = canvas.target;
+    const std::span<const Vertex, 3> corners(canvas.corners(triangle), 3);
+    if (!std::all_of(corners.begin(), corners.end(),
+                     [&](const Vertex& c) { return is_finite(c) && (c.w > 0 || !canvas.job->perspective); }))
+        return void(++canvas.counters->refused);
     ++canvas.counters->slow;
     Decider decider(canvas, triangle);
     const int winding = decider.exact().winding();
@@ -87,7 +92,8 @@ HWY_INLINE void flush(Batch& batch, int& count, const Canvas& canvas) {
         ++canvas.counters->drawn;
         // Culled only here where the skip is off: it costs what it costs, and shows nothing.
         if (canvas.job->cull_back && batch.front.at[t] == 0) continue;
-        if (!draw_triangle<kAddressing, kDepth>(batch, t, canvas)) draw_slowly(batch.index.at[t], canvas);
+        if (batch.good.at[t] == 0 || !draw_triangle<kAddressing, kDepth>(batch, t, canvas))
+            draw_slowly(batch.index.at[t], canvas);
         if constexpr (kDepth) {
             const PixelBox box{batch.column0.at[t], batch.row0.at[t], batch.column1.at[t], batch.row1.at[t]};
             if (box.x0 < box.x1 && box.y0 < box.y1) canvas.tiles->touch(box);
@@ -170,13 +176,13 @@ HWY_INLINE void draw_triangles(const Canvas& canvas) {
         look_at(first, all, canvas, looked);
         for (uint32_t mask = looked.keep; mask != 0; mask &= mask - 1) {
             const int lane = std::countr_zero(mask);
-            if (kDepth && is_hidden(looked, lane, canvas)) continue;
             if ((looked.fine >> lane & 1) == 0) {
                 flush<kAddressing, kDepth>(batch, waiting, canvas);
                 draw_slowly(first + lane, canvas);
                 if constexpr (kDepth) canvas.tiles->touch({0, 0, canvas.target.width, canvas.target.height});
                 continue;
             }
+            if (kDepth && is_hidden(looked, lane, canvas)) continue;
             batch.index.at[waiting++] = first + lane;
             if (waiting == kBatch) flush<kAddressing, kDepth>(batch, waiting, canvas);
         }

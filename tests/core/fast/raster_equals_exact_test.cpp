@@ -234,6 +234,25 @@ TEST(RasterEqualsExact, WhereManyTrianglesAreDrawnAtOnce) {
         }
 }
 
+TEST(RasterRefuses, WhatIsNotFiniteOrBehindTheEye) {
+    laws::Dice dice(8);
+    const RasterTexture& texture = textures()[0].texture;
+    const auto spoilt = [&](Vertex& c, int which) {
+        const float wrong = std::array{NAN, INFINITY, -INFINITY}[static_cast<std::size_t>(dice.whole(0, 2))];
+        const std::array<float*, 6> fields{&c.x, &c.y, &c.z, &c.w, &c.u, &c.v};
+        *fields[static_cast<std::size_t>(which)] = which == 3 && dice.often(.5) ? -dice.within(0, 1) : wrong;
+    };
+    for (int n = 0; n < 3000; ++n) {
+        auto corners =
+            laws::random_corners(dice, static_cast<laws::Family>(n % laws::kFamilies), {0, 0, kWidth, kHeight}, 3);
+        spoilt(corners[static_cast<std::size_t>(n % 3)], n % 6);
+        RasterJob job = job_of(corners, texture);
+        job.perspective = true, job.depth = true;
+        RasterCounters counters;
+        ASSERT_EQ(drawn(texture, job, counters), Picture{}) << text_of(corners);
+    }
+}
+
 TEST(RasterThreads, DrawTheSamePicture) {
     laws::Dice dice(7);
     const RasterTexture& texture = textures()[0].texture;
