@@ -60,7 +60,7 @@ HWY_NOINLINE bool rows_again(Tag p, const Batch& b, int t, int row, int count, c
 }
 
 /// The rows of one triangle, as many pixels at once as `Tag` has lanes. False: too much was in doubt, nothing is drawn.
-template <Addressing kAddressing, bool kDepth, class Tag>
+template <Addressing kAddressing, bool kDepth, bool kCertain, class Tag>
 HWY_NOINLINE bool draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) {
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
     const double u_doubt = b.u.doubt.at[t], v_doubt = b.v.doubt.at[t];
@@ -109,21 +109,84 @@ HWY_NOINLINE bool draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
             uint32_t* out = line + x0;
             for (; left >= kLanes; left -= kLanes, out += kLanes) {
                 hn::StoreU(texels.fetch(u, v), p, out);
-                least_u = hn::Min(least_u, texels.u.rest(u)), least_v = hn::Min(least_v, texels.v.rest(v));
+                if constexpr (kCertain)
+                    least_u = hn::Min(least_u, texels.u.rest(u)), least_v = hn::Min(least_v, texels.v.rest(v));
                 u = hn::Add(u, u_step), v = hn::Add(v, v_step);
             }
             if (left > 0) {
                 const auto in = hn::FirstN(p, static_cast<size_t>(left));
                 store_some(texels.fetch(u, v), in, p, out);
-                least_u = hn::Min(least_u, hn::IfThenElse(in, texels.u.rest(u), all));
-                least_v = hn::Min(least_v, hn::IfThenElse(in, texels.v.rest(v), all));
+                if constexpr (kCertain) {
+                    least_u = hn::Min(least_u, hn::IfThenElse(in, texels.u.rest(u), all));
+                    least_v = hn::Min(least_v, hn::IfThenElse(in, texels.v.rest(v), all));
+                }
             }
         }
-        if (kDepth || hn::AllFalse(p, hn::Or(hn::Lt(least_u, texels.u.least), hn::Lt(least_v, texels.v.least))))
+        if (kDepth || !kCertain ||
+            hn::AllFalse(p, hn::Or(hn::Lt(least_u, texels.u.least), hn::Lt(least_v, texels.v.least))))
             continue;
         Again again(canvas, b, t, false);
         if (!rows_again(p, b, t, row, count, rows, again, !ties_known, canvas, texels)) {
             // One that double cannot tell is rarely alone: these rows once more, past all ties.
+            texels = Texels<Tag, kAddressing>(canvas, b, t, u_doubt, v_doubt, again.half_gaps());
+            ties_known = true, row -= kBatch, samples = before;
+        }
+    }
+    canvas.counters->samples += samples;
+    return true;
+}
+
+/// The same for a triangle whose rows have but a few pixels: the rows' first pixels side by side, then their second
+/// ones.
+template <Addressing kAddressing>
+HWY_NOINLINE bool draw_columns(const Batch& b, int t, const Canvas& canvas) {
+    using Tag = hn::CappedTag<uint32_t, kBatch>;
+    const Tag p;
+    const hn::Rebind<int32_t, Tag> s;
+    constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
+    const double u_doubt = b.u.doubt.at[t], v_doubt = b.v.doubt.at[t];
+    Texels<Tag, kAddressing> texels(canvas, b, t, u_doubt, v_doubt, {});
+    if (!texels.fits()) return false;
+    bool ties_known = false;
+    const auto all = hn::Set(p, ~0U);
+    const auto u_x = hn::Set(p, static_cast<uint32_t>(b.u.step.at[t])),
+               v_x = hn::Set(p, static_cast<uint32_t>(b.v.step.at[t]));
+    const Columns columns{b.column0.at[t], b.column1.at[t]};
+    const std::ptrdiff_t pitch = canvas.target.pitch;
+    uint64_t samples = 0;
+    for (int row = b.row0.at[t]; row < b.row1.at[t]; row += kBatch) {
+        Rows rows;
+        const int count = std::min(kBatch, b.row1.at[t] - row);
+        cross(b, t, row, count, columns, canvas, rows);
+        for (int n = count; n < kBatch; ++n) rows.x1.at[n] = rows.x0.at[n];
+        start(b, t, row, texels.u.bias, texels.v.bias, rows);
+        auto least_u = all, least_v = all;
+        const uint64_t before = samples;
+        for (int n = 0; n < count; n += kLanes) {
+            const auto width = hn::Sub(hn::Load(s, rows.x1.at + n), hn::Load(s, rows.x0.at + n));
+            auto u = hn::BitCast(p, hn::Load(s, rows.u.at + n)), v = hn::BitCast(p, hn::Load(s, rows.v.at + n));
+            const auto first = texels.place(u, v);
+            uint32_t* const line = canvas.target.pixels + (row + n) * pitch;
+            for (int i = 0;; ++i) {
+                const auto in = hn::RebindMask(p, hn::Gt(width, hn::Set(s, i)));
+                const uint32_t inside = bits_of(p, in);
+                if (inside == 0) break;
+                samples += static_cast<uint64_t>(std::popcount(inside));
+                least_u = hn::Min(least_u, hn::IfThenElse(in, texels.u.rest(u), all));
+                least_v = hn::Min(least_v, hn::IfThenElse(in, texels.v.rest(v), all));
+                alignas(64) uint32_t found[kLanes];
+                // Rows that have ended read once more what they have read.
+                hn::Store(texels.fetch(hn::IfThenElse(in, texels.place(u, v), first)), p, found);
+                for (uint32_t m = inside; m != 0; m &= m - 1) {
+                    const int k = std::countr_zero(m);
+                    line[k * pitch + rows.x0.at[n + k] + i] = found[k];
+                }
+                u = hn::Add(u, u_x), v = hn::Add(v, v_x);
+            }
+        }
+        if (hn::AllFalse(p, hn::Or(hn::Lt(least_u, texels.u.least), hn::Lt(least_v, texels.v.least)))) continue;
+        Again again(canvas, b, t, false);
+        if (!rows_again(p, b, t, row, count, rows, again, !ties_known, canvas, texels)) {
             texels = Texels<Tag, kAddressing>(canvas, b, t, u_doubt, v_doubt, again.half_gaps());
             ties_known = true, row -= kBatch, samples = before;
         }

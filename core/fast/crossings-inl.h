@@ -67,7 +67,7 @@ HWY_INLINE void start(const CoordinateEight& u, int t, V right, V down, double b
 HWY_INLINE void cross(const Batch& b, int t, int row, int count, const Columns& columns, const Canvas& canvas,
                       Rows& rows) {
     const Real d;
-    const double doubt = b.cross_doubt.at[t], bias = doubt == 0 ? 0x1p-31 : 0;
+    const double doubt = canvas.settings->certain ? b.cross_doubt.at[t] : 0, bias = doubt == 0 ? 0x1p-31 : 0;
     const bool left = b.long_left.at[t] != 0;
     bool again = false;
     for (int lane = 0; lane < kBatch; lane += kReals) {

@@ -121,7 +121,7 @@ HWY_NOINLINE bool perspective_again(Tag p, int row, int count, const Rows& rows,
     return true;
 }
 
-template <Addressing kAddressing, bool kDepth, class Tag>
+template <Addressing kAddressing, bool kDepth, bool kCertain, class Tag>
 HWY_NOINLINE void draw_perspective(Tag p, const Batch& b, int t, const Canvas& canvas) {
     const hn::Rebind<float, Tag> f;
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
@@ -176,19 +176,23 @@ HWY_NOINLINE void draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
                 uint32_t* out = line + x0;
                 for (; left > 0; left -= kLanes, out += kLanes, i = hn::Add(i, hn::Set(f, kLanes))) {
                     along.at(i, u, v);
-                    const auto got = texels.fetch(u, v), rest_u = texels.u.rest(u), rest_v = texels.v.rest(v);
+                    const auto got = texels.fetch(u, v);
                     if (left >= kLanes) {
                         hn::StoreU(got, p, out);
-                        least_u = hn::Min(least_u, rest_u), least_v = hn::Min(least_v, rest_v);
-                    } else {
-                        const auto in = hn::FirstN(p, static_cast<size_t>(left));
-                        store_some(got, in, p, out);
-                        least_u = hn::Min(least_u, hn::IfThenElse(in, rest_u, all));
-                        least_v = hn::Min(least_v, hn::IfThenElse(in, rest_v, all));
+                        if constexpr (kCertain)
+                            least_u = hn::Min(least_u, texels.u.rest(u)), least_v = hn::Min(least_v, texels.v.rest(v));
+                        continue;
+                    }
+                    const auto in = hn::FirstN(p, static_cast<size_t>(left));
+                    store_some(got, in, p, out);
+                    if constexpr (kCertain) {
+                        least_u = hn::Min(least_u, hn::IfThenElse(in, texels.u.rest(u), all));
+                        least_v = hn::Min(least_v, hn::IfThenElse(in, texels.v.rest(v), all));
                     }
                 }
             }
-            if (kDepth || hn::AllFalse(p, hn::Or(hn::Lt(least_u, texels.u.least), hn::Lt(least_v, texels.v.least))))
+            if (kDepth || !kCertain ||
+                hn::AllFalse(p, hn::Or(hn::Lt(least_u, texels.u.least), hn::Lt(least_v, texels.v.least))))
                 continue;
             Again again(canvas, b, t, true);
             if (!perspective_again(p, row, count, rows, slope, again, !ties_known, canvas, texels))

@@ -79,7 +79,9 @@ inline constexpr int kMaxRasterThreads = 64;
 struct RasterSettings {
     SimdLevel level = SimdLevel::best;  ///< must be supported
     std::uint32_t skips = ~0U;          ///< bit n: RasterSkip n is on
-    int threads = 1;                    ///< each draws a band of the target, [1, kMaxRasterThreads]
+    bool certain = true;  ///< off: what lies in doubt stays as it is, to measure what deciding it costs; only for
+                          ///< textures of powers of two that repeat, without depth
+    int threads = 1;      ///< each draws a band of the target, [1, kMaxRasterThreads]
 
     [[nodiscard]] constexpr bool skip(RasterSkip which) const {
         return (skips >> static_cast<unsigned>(which) & 1U) != 0;

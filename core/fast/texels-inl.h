@@ -113,9 +113,10 @@ struct Texels {
         else
             return hn::Add(hn::Mul(v.index(at_v), u.size), u.index(at_u));
     }
-    [[nodiscard]] HWY_INLINE Pixels fetch(Pixels at_u, Pixels at_v) const {
+    [[nodiscard]] HWY_INLINE Pixels fetch(Pixels at_u, Pixels at_v) const { return fetch(place(at_u, at_v)); }
+    [[nodiscard]] HWY_INLINE Pixels fetch(Pixels at) const {
         const hn::Rebind<int32_t, Tag> s;
-        const auto got = hn::GatherIndex(Tag{}, texels, hn::BitCast(s, place(at_u, at_v)));
+        const auto got = hn::GatherIndex(Tag{}, texels, hn::BitCast(s, at));
         return light == nullptr ? got : lit(got);
     }
     [[nodiscard]] HWY_INLINE hn::Mask<Tag> unsure(Pixels at_u, Pixels at_v) const {

@@ -73,7 +73,7 @@ HWY_INLINE bool draw_tiny(const Batch& b, int t, const Canvas& canvas) {
         const uint8_t bits[8] = {static_cast<uint8_t>(inside >> (4 * n) & 15)};
         if (bits[0] != 0) store_some(hn::Load(four, found + 4 * n), hn::LoadMaskBits(four, bits), four, out);
     }
-    if ((unsure & inside) == 0) return true;
+    if ((unsure & inside) == 0 || !canvas.settings->certain) return true;
     Again again(canvas, b, t, false);
     for (uint32_t m = unsure & inside; m != 0; m &= m - 1) {
         const int n = std::countr_zero(m), at_x = column + (n & 3), at_y = row + (n >> 2);

@@ -60,7 +60,7 @@ HWY_NOINLINE void draw_slowly(int triangle, const Canvas& canvas) {
 
 /// False: nothing is drawn, the triangle is for draw_slowly(). Narrow vectors only where they are met most: each width
 /// is compiled anew.
-template <Addressing kAddressing, bool kDepth>
+template <Addressing kAddressing, bool kDepth, bool kCertain>
 HWY_INLINE bool draw_triangle(const Batch& b, int t, const Canvas& canvas) {
     constexpr bool kMost = kAddressing == Addressing::powers;
     const hn::ScalableTag<uint32_t> wide;
@@ -69,21 +69,23 @@ HWY_INLINE bool draw_triangle(const Batch& b, int t, const Canvas& canvas) {
     const int widest = b.widest.at[t];
     if (canvas.job->perspective && (b.flat.at[t] == 0 || !canvas.settings->skip(RasterSkip::equal_w))) {
         if (widest <= kMedium)
-            draw_perspective<kAddressing, kDepth>(medium, b, t, canvas);
+            draw_perspective<kAddressing, kDepth, kCertain>(medium, b, t, canvas);
         else
-            draw_perspective<kAddressing, kDepth>(wide, b, t, canvas);
+            draw_perspective<kAddressing, kDepth, kCertain>(wide, b, t, canvas);
         return true;
     }
     if (canvas.job->perspective) ++canvas.counters->of(RasterSkip::equal_w);
     if constexpr (kMost && !kDepth)
         if (b.tiny.at[t] != 0 && draw_tiny<kAddressing>(b, t, canvas)) return true;
-    if (widest <= kNarrow) return draw_rows<kAddressing, kDepth>(narrow, b, t, canvas);
-    if (widest <= kMedium) return draw_rows<kAddressing, kDepth>(medium, b, t, canvas);
-    return draw_rows<kAddressing, kDepth>(wide, b, t, canvas);
+    if constexpr (kMost && !kDepth)
+        if (widest <= kNarrow && canvas.settings->certain) return draw_columns<kAddressing>(b, t, canvas);
+    if (widest <= kNarrow) return draw_rows<kAddressing, kDepth, kCertain>(narrow, b, t, canvas);
+    if (widest <= kMedium) return draw_rows<kAddressing, kDepth, kCertain>(medium, b, t, canvas);
+    return draw_rows<kAddressing, kDepth, kCertain>(wide, b, t, canvas);
 }
 
 /// Sets up the triangles that wait and draws them.
-template <Addressing kAddressing, bool kDepth>
+template <Addressing kAddressing, bool kDepth, bool kCertain>
 HWY_INLINE void flush(Batch& batch, int& count, const Canvas& canvas) {
     if (count == 0) return;
     for (int n = count; n < kBatch; ++n) batch.index.at[n] = batch.index.at[0];
@@ -92,7 +94,7 @@ HWY_INLINE void flush(Batch& batch, int& count, const Canvas& canvas) {
         ++canvas.counters->drawn;
         // Culled only here where the skip is off: it costs what it costs, and shows nothing.
         if (canvas.job->cull_back && batch.front.at[t] == 0) continue;
-        if (batch.good.at[t] == 0 || !draw_triangle<kAddressing, kDepth>(batch, t, canvas))
+        if (batch.good.at[t] == 0 || !draw_triangle<kAddressing, kDepth, kCertain>(batch, t, canvas))
             draw_slowly(batch.index.at[t], canvas);
         if constexpr (kDepth) {
             const PixelBox box{batch.column0.at[t], batch.row0.at[t], batch.column1.at[t], batch.row1.at[t]};
@@ -161,7 +163,7 @@ HWY_INLINE bool is_hidden(const Looked& looked, int lane, const Canvas& canvas) 
     return true;
 }
 
-template <Addressing kAddressing, bool kDepth>
+template <Addressing kAddressing, bool kDepth, bool kCertain>
 HWY_INLINE void draw_triangles(const Canvas& canvas) {
     constexpr int kAhead = 2048;  // the stream of vertices is fetched so far ahead [bytes]
     const int all = static_cast<int>(canvas.job->vertices.size() / 3);
@@ -177,26 +179,26 @@ HWY_INLINE void draw_triangles(const Canvas& canvas) {
         for (uint32_t mask = looked.keep; mask != 0; mask &= mask - 1) {
             const int lane = std::countr_zero(mask);
             if ((looked.fine >> lane & 1) == 0) {
-                flush<kAddressing, kDepth>(batch, waiting, canvas);
+                flush<kAddressing, kDepth, kCertain>(batch, waiting, canvas);
                 draw_slowly(first + lane, canvas);
                 if constexpr (kDepth) canvas.tiles->touch({0, 0, canvas.target.width, canvas.target.height});
                 continue;
             }
             if (kDepth && is_hidden(looked, lane, canvas)) continue;
             batch.index.at[waiting++] = first + lane;
-            if (waiting == kBatch) flush<kAddressing, kDepth>(batch, waiting, canvas);
+            if (waiting == kBatch) flush<kAddressing, kDepth, kCertain>(batch, waiting, canvas);
         }
     }
-    flush<kAddressing, kDepth>(batch, waiting, canvas);
+    flush<kAddressing, kDepth, kCertain>(batch, waiting, canvas);
     canvas.counters->triangles += static_cast<uint64_t>(all);
 }
 
 template <Addressing kAddressing>
 HWY_INLINE void draw_addressed(const Canvas& canvas) {
-    if (canvas.job->depth)
-        draw_triangles<kAddressing, true>(canvas);
-    else
-        draw_triangles<kAddressing, false>(canvas);
+    if (canvas.job->depth) return draw_triangles<kAddressing, true, true>(canvas);
+    if constexpr (kAddressing == Addressing::powers)
+        if (!canvas.settings->certain) return draw_triangles<kAddressing, false, false>(canvas);
+    draw_triangles<kAddressing, false, true>(canvas);
 }
 
 HWY_ATTR void draw_all(const Canvas& canvas) {
