@@ -1,5 +1,5 @@
 // Random numbers that are the same everywhere: the standard's engines are, its distributions are not, nor are sine and
-// cosine.
+// cosine. Never call it twice in one argument list or operand list: compilers differ in the order.
 #pragma once
 
 #include <cmath>
@@ -28,7 +28,8 @@ public:
         const float digits = 1 + share();
         return std::ldexp(digits, whole(low, high));
     }
-    [[nodiscard]] float sign() { return chance(.5F) ? 1.0F : -1.0F; }
+    /// `value` or its negative.
+    [[nodiscard]] float either(float value) { return chance(.5F) ? value : -value; }
     template <class T>
     [[nodiscard]] T one_of(std::initializer_list<T> all) {
         return all.begin()[static_cast<std::size_t>(whole(0, static_cast<int>(all.size()) - 1))];
@@ -45,6 +46,8 @@ public:
             if (square > .01F && square <= 1) return p / std::sqrt(square);
         }
     }
+    /// Of that length, any way.
+    [[nodiscard]] glm::vec2 step(float length) { return direction() * length; }
     /// Up to `most` floats further up or down.
     [[nodiscard]] float nudged(float value, int most) {
         const int steps = whole(-most, most);

@@ -155,10 +155,7 @@ public:
 
     void shape(const HardShape& shape) {
         ++row_->shapes;
-        const auto power_of_two = [](int n) { return (n & (n - 1)) == 0; };
-        if (shape.frame.x0 != 0 || shape.frame.y0 != 0 || !power_of_two(shape.texture_width) ||
-            !power_of_two(shape.texture_height))
-            return void(++row_->not_served);
+        if (!is_served(shape)) return void(++row_->not_served);
         Coverage coverage(shape);
         for (std::size_t n = 0; n < triangles_of(shape); ++n) triangle(shape, n, coverage);
         coverage.finish(*row_);
@@ -168,6 +165,12 @@ public:
     }
 
 private:
+    /// What core/fast does not draw so far: frames and textures of other kinds, and numbers that are not finite.
+    [[nodiscard]] static bool is_served(const HardShape& shape) {
+        const auto power_of_two = [](int n) { return (n & (n - 1)) == 0; };
+        return shape.frame.x0 == 0 && shape.frame.y0 == 0 && power_of_two(shape.texture_width) &&
+               power_of_two(shape.texture_height) && is_drawable(shape.vertices);
+    }
     static constexpr std::uint32_t kNone = ~0U;
     static constexpr int kGap = 16;
     static constexpr std::size_t kMostGroups = 16;

@@ -13,6 +13,7 @@
 #include "core/method/edge_walk.h"
 #include "core/method/run.h"
 #include "core/method/sections.h"
+#include "core/method/shortcut.h"
 #include "core/method/subdivided.h"
 
 namespace texelscope {
@@ -104,7 +105,7 @@ std::vector<DrawnSample> drawn_samples(const Method& method, NumberFormat format
                                .v_bound = kNone});
     });
     if (job.quirks != 0) return samples;
-    if (format == NumberFormat::exact) return bound_rounding(samples), samples;
+    if (format == NumberFormat::exact || shortcut_of(method) != nullptr) return bound_rounding(samples), samples;
     for (const Bounder& bounder : kBounders) {
         if (bounder.id != method.id) continue;
         const Bounds bounds = bounder.bounds(format, job);
