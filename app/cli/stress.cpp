@@ -141,7 +141,7 @@ constexpr Column kColumns[] = {
     return families.empty() ? "" : table(cells) + '\n';
 }
 
-/// Methods in their number formats, all families and modes together, the worst of them named.
+/// Methods in their number formats, all families and modes together; errors and bounds are those of the worst of them.
 [[nodiscard]] std::string methods_table(const std::vector<StressRow>& rows) {
     struct Sum {
         StressRow row;
@@ -158,7 +158,7 @@ constexpr Column kColumns[] = {
         if (sum.worst == nullptr || row.worst > sum.worst->worst) sum.worst = &row;
     }
     std::vector<std::vector<std::string>> cells{{"method", "number", "samples", "missing", "extra", "twice", "wrong",
-                                                 "leaky", "meshes", "worst error", "p99 there", "greatest bound",
+                                                 "leaky", "meshes", "worst error", "p99 there", "bound there",
                                                  "exceeded", "worst in"}};
     for (const auto& [key, sum] : sums)
         cells.push_back({key.first, key.second, number(sum.row.samples), number(sum.row.missing), number(sum.row.extra),

@@ -97,7 +97,8 @@ namespace {
     for (int y = 0; y + 1 < rows; ++y)
         for (int x = 0; x + 1 < columns; ++x) {
             const auto node = [&](int right, int down) {
-                return nodes[static_cast<std::size_t>((y + down) * columns + x + right)];
+                const std::ptrdiff_t place = std::ptrdiff_t{y + down} * columns + x + right;
+                return nodes[static_cast<std::size_t>(place)];
             };
             const bool other = dice.chance(.5F);
             add(shape, dice,

@@ -53,8 +53,7 @@ std::vector<DecidedSample> decided_samples(std::span<const Vertex, 3> corners, c
 ExactCoordinates::ExactCoordinates(std::span<const Vertex, 3> corners)
     : bits_{bits_for(corners, &Vertex::u), bits_for(corners, &Vertex::v)}, triangle_(in_units(corners, bits_)) {}
 
-std::array<double, 2> ExactCoordinates::distance(const DecidedSample& at, double u, double v) const {
-    const TexelIndex index = triangle_.texel(at.x, at.y);
+std::array<double, 2> ExactCoordinates::distance(const TexelIndex& at, double u, double v) const {
     // From the unit's middle, less half of it: within the unit nobody knows.
     const auto off = [](Integer n, int bits, double a) {
         if (!std::isfinite(a)) return std::numeric_limits<double>::infinity();
@@ -62,7 +61,7 @@ std::array<double, 2> ExactCoordinates::distance(const DecidedSample& at, double
         const long double half = std::ldexp(.5L, -bits);
         return static_cast<double>(std::max(0.0L, std::abs(middle - static_cast<long double>(a)) - half));
     };
-    return {off(index.u, bits_[0], u), off(index.v, bits_[1], v)};
+    return {off(at.u, bits_[0], u), off(at.v, bits_[1], v)};
 }
 
 std::string text_of(std::span<const Vertex> corners) {

@@ -24,8 +24,10 @@ struct DecidedSample {
 class ExactCoordinates {
 public:
     explicit ExactCoordinates(std::span<const Vertex, 3> corners);
-    /// How far u, v are from those of a sample that the triangle owns, at least; infinite for NaN [texels].
-    [[nodiscard]] std::array<double, 2> distance(const DecidedSample& at, double u, double v) const;
+    /// u and v of a sample that the triangle owns, in those units.
+    [[nodiscard]] TexelIndex at(Integer x, Integer y) const { return triangle_.texel(x, y); }
+    /// How far u, v are from those of at(), at least; infinite for NaN [texels].
+    [[nodiscard]] std::array<double, 2> distance(const TexelIndex& at, double u, double v) const;
 
 private:
     std::array<int, 2> bits_{};  ///< behind the point

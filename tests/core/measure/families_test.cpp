@@ -165,7 +165,7 @@ TEST(Families, SidesRunThroughSamples) {
 TEST(Families, TexelsBeginOnSamplesWhereTheyShould) {
     const auto begins = [](const HardShape& shape, const DecidedSample& s) {
         const ExactCoordinates coordinates(triangle(shape));
-        return coordinates.distance(s, static_cast<double>(s.texel.u), 0)[0] == 0;
+        return coordinates.distance(coordinates.at(s.x, s.y), static_cast<double>(s.texel.u), 0)[0] == 0;
     };
     EXPECT_GT(share("ratios", begins), .05);
     EXPECT_GT(share("blits", begins), .15);
