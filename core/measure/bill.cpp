@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "core/method/shortcut.h"
 #include "core/method/steps.h"
 
 namespace texelscope {
@@ -169,7 +170,8 @@ Bill bill_of(const Scene& scene, const Method& method) { return Counter(scene, m
 std::vector<const Method*> racers() {
     std::vector<const Method*> all;
     for (const Method* method : methods()) {
-        if (std::find(kOthers.begin(), kOthers.end(), method->id) == kOthers.end()) all.push_back(method);
+        const bool other = std::find(kOthers.begin(), kOthers.end(), method->id) != kOthers.end();
+        if (!other && shortcut_of(*method) == nullptr) all.push_back(method);
     }
     return all;
 }

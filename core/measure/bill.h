@@ -52,7 +52,8 @@ inline constexpr Integer kMostBilled = 512;  ///< shapes of a scene that are cou
 [[nodiscard]] Bill bill_of(const Scene& scene, const Method& method);
 
 /// The methods that draw a triangle with its own texture and nothing else, in the order of their ids: not `forward`,
-/// which leaves holes, `two-pass`, which reads the texture twice, and `sampling-1d`, which only scales.
+/// which leaves holes, `two-pass`, which reads the texture twice, and `sampling-1d`, which only scales. Nor `exact` and
+/// `fast`: they do not compute the steps that they show, so their bills would be another method's.
 [[nodiscard]] std::vector<const Method*> racers();
 
 /// What a Pentium of 100 MHz needed for a textured pixel (S3): 10 cycles of 10 ns [s].

@@ -6,6 +6,7 @@
 #include "core/geometry/polygon.h"
 #include "core/method/blend.h"
 #include "core/method/depth.h"
+#include "core/method/shortcut.h"
 
 namespace texelscope {
 namespace {
@@ -79,6 +80,7 @@ private:
 }  // namespace
 
 Drawing::Drawing(const Scene& scene, const DrawSettings& settings) : scene_(&scene), settings_(settings) {
+    if (shortcut_of(*settings.method) != nullptr) settings_.format = NumberFormat::exact;
     for (std::size_t n = 0; n < scene.polygons.size(); ++n) {
         const std::vector<Vertex>& vertices = scene.polygons[n].vertices;
         const std::vector<glm::dvec2>& places = scene.polygons[n].unrounded.corners;
@@ -175,6 +177,9 @@ Image render(const Drawing& drawing) {
         each_sample(drawing, 0, drawing.shape_count(), {frame, 1}, draw_sample);
         return picture;
     }
+    const Shortcut* const shortcut = shortcut_of(*drawing.settings().method);
+    if (shortcut != nullptr && shortcut->picture != nullptr && !drawing.has_half())
+        return shortcut->picture(drawing, picture), picture;
     for (int n = 0; n < drawing.shape_count(); ++n) {
         if (drawing.refusal(n) != Fate::written || !drawing.touches(n, frame)) continue;
         if (drawing.is_half(n))

@@ -76,8 +76,8 @@ struct EdgeWalk {
             const Half lower =
                 half(quirk.whole_start ? side("long", cut, p[2]) : longest, side("short", p[1], p[2]), p[1].y, p[2].y);
             // The long side goes on by the additions of the rows above: so does the neighbour that it is shared with.
-            const Point along =
-                quirk.whole_start ? start(lower.a, lower.first) : walked(longest, first_row(p[0].y), lower.first);
+            const Point along = quirk.whole_start ? start(lower.a, lower.first)
+                                                  : walked(longest, first_row(p[0].y), in_frame(lower.first));
             rows(lower, along, put);
         }
         return Fate::written;
@@ -121,6 +121,7 @@ struct EdgeWalk {
         h.last = trace("last_row", lesser(end(top_of(bottom)), Int(frame.y1)));
         return h;
     }
+    Int in_frame(const Int& row) const { return lesser(row, Int(frame.y1)); }
     Int first_row(const T& top) const { return greater(top_of(top), Int(frame.y0)); }
     /// The first row, or pixel of a row, from here on: in the source the one that holds the place, whole.
     Int top_of(const T& a) const { return quirk.whole_start ? trunc(a) : ceil(a - T(1) / 2); }

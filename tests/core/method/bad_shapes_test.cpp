@@ -116,6 +116,7 @@ TEST(BadShapes, HugeCoordinatesEndInBoundedTime) {
                                                           {at(-big, 3), at(big, 3.5F, 5, 0), at(big, 4)},
                                                           {at(4, -big), at(4.5F, big), at(5, -big)},
                                                           {at(1, 1, -big, big), at(9, 2, big, 0), at(3, 8)},
+                                                          {at(1, 1), at(2, big / 2), at(3, big)},
                                                           {at(big, big), at(big, -big), at(-big, big), at(-big, -big)}};
             for (const auto& shape : shapes) {
                 const Fate fate = drawn(scene_of(shape), c.settings);

@@ -9,8 +9,9 @@ namespace texelscope {
 namespace {
 
 TEST(Registry, HasEveryMethod) {
-    for (const char* id : {"edge-equations", "sections", "edge-walk", "barycentric", "forward", "backward-affine",
-                           "backward-projective", "constant-z", "two-pass", "subdivided", "sampling-1d"})
+    for (const char* id :
+         {"edge-equations", "sections", "edge-walk", "barycentric", "forward", "backward-affine", "backward-projective",
+          "constant-z", "two-pass", "subdivided", "sampling-1d", "exact", "fast"})
         EXPECT_NE(find_method(id), nullptr) << id;
 }
 

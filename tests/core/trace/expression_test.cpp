@@ -76,8 +76,9 @@ TEST(Expression, TheFormulaParsedAndEvaluatedGivesTheValue) {
     for (const Case& c : laws::every_case()) {
         for (unsigned seed = 1; seed <= 14; ++seed) {
             SCOPED_TRACE(c.text() + ", random_scene(" + std::to_string(seed) + ")");
-            const Value real = real_like(c.settings.format);
-            for_visits(c, laws::random_scene(seed), [&](const Visit& visit) {
+            const Scene scene = laws::random_scene(seed);
+            const Value real = real_like(Drawing(scene, c.settings).settings().format);
+            for_visits(c, scene, [&](const Visit& visit) {
                 for (const std::int32_t n : visit.unit().expressions) {
                     const Named& named = visit.tape.names[static_cast<std::size_t>(n)];
                     check_text(visit, named, formula(visit.tape, named), real);

@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "core/measure/stress_shapes.h"
+
+namespace texelscope {
+namespace {
+
+/// Triangles that share a frame and a texture, drawn in one call: the last one wins.
+struct Together {
+    Rect frame;
+    int texture_width = 0, texture_height = 0;
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> expected;
+};
+
+class FastRun {
+public:
+    FastRun(StressMode mode, StressRow& row) : perspective_(mode.perspective), row_(&row) {}
+
+    void shape(const HardShape& shape) {
+        ++row_->shapes;
+        if (!is_served(shape)) return void(++row_->not_served);
+        Coverage coverage(shape);
+        for (std::size_t n = 0; n < triangles_of(shape); ++n) triangle(shape, n, coverage);
+        coverage.finish(*row_);
+    }
+    void finish() {
+        for (auto& [key, group] : groups_) check(group);
+    }
+
+private:
+    /// What core/fast does not draw so far: frames and textures of other kinds, and numbers that are not finite.
+    [[nodiscard]] static bool is_served(const HardShape& shape) {
+        const auto power_of_two = [](int n) { return (n & (n - 1)) == 0; };
+        return shape.frame.x0 == 0 && shape.frame.y0 == 0 && power_of_two(shape.texture_width) &&
+               power_of_two(shape.texture_height) && is_drawable(shape.vertices);
+    }
+    static constexpr std::uint32_t kNone = ~0U;
+    static constexpr int kGap = 16;
+    static constexpr std::size_t kMostGroups = 16;
+
+    [[nodiscard]] static int pitch(const Rect& frame) { return frame.x1 + kGap; }
+    [[nodiscard]] static std::size_t pixels_of(const Rect& frame) {
+        return static_cast<std::size_t>(pitch(frame)) * static_cast<std::size_t>(frame.y1);
+    }
+    [[nodiscard]] static std::uint32_t address(const HardShape& shape, const TexelIndex& texel) {
+        return static_cast<std::uint32_t>(wrap_index(texel.v, shape.texture_height, Wrap::repeat) *
+                                              shape.texture_width +
+                                          wrap_index(texel.u, shape.texture_width, Wrap::repeat));
+    }
+    void draw_into(std::vector<std::uint32_t>& pixels, const Rect& frame, int width, int height,
+                   std::span<const Vertex> vertices, RasterCounters& counters) {
+        while (addresses_.size() < static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
+            addresses_.push_back(static_cast<std::uint32_t>(addresses_.size()));
+        draw({pixels.data(), pitch(frame), frame.x1, frame.y1}, {addresses_.data(), width, height},
+             {.vertices = vertices, .perspective = perspective_}, {}, counters);
+    }
+
+    void triangle(const HardShape& shape, std::size_t n, Coverage& coverage) {
+        const auto corners = triangle_of(shape, n);
+        const Samples decided = decided_samples(corners, shape.frame);
+        if (pixels_.size() < pixels_of(shape.frame)) pixels_.resize(pixels_of(shape.frame), kNone);
+        draw_into(pixels_, shape.frame, shape.texture_width, shape.texture_height, corners, row_->counters);
+        ++row_->triangles, row_->samples += static_cast<std::int64_t>(decided.size());
+        const std::int64_t before = row_->missing + row_->extra + row_->wrong;
+        for (const DecidedSample& s : decided) {
+            std::uint32_t& pixel = pixels_[static_cast<std::size_t>(s.y * pitch(shape.frame) + s.x)];
+            row_->missing += pixel == kNone, row_->wrong += pixel != kNone && pixel != address(shape, s.texel);
+            if (pixel != kNone) coverage.add(s.x, s.y);
+            pixel = kNone;
+        }
+        look_for_strays(shape, corners, coverage);
+        if (row_->missing + row_->extra + row_->wrong > before && row_->fault.empty()) row_->fault = text_of(corners);
+        remember(shape, corners, decided);
+    }
+    /// All that is left was drawn by mistake. Of large frames only the box and its neighbourhood is looked at.
+    void look_for_strays(const HardShape& shape, std::span<const Vertex, 3> corners, Coverage& coverage) {
+        Rect box = shape.frame;
+        constexpr int kSmall = 4096, kRound = 8;
+        if (pixels_of(shape.frame) > kSmall && is_drawable(corners)) {
+            const auto within = [](float a, int most) { return static_cast<int>(std::clamp<double>(a, 0, most)); };
+            const auto [left, right] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
+            const auto [top, bottom] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
+            box = intersection(box, {within(left, box.x1) - kRound, within(top, box.y1) - kRound,
+                                     within(right, box.x1) + kRound, within(bottom, box.y1) + kRound});
+        }
+        for (int y = box.y0; y < box.y1; ++y)
+            for (int x = box.x0; x < box.x1; ++x) {
+                std::uint32_t& pixel = pixels_[static_cast<std::size_t>(Integer{y} * pitch(shape.frame) + x)];
+                if (pixel != kNone) ++row_->extra, coverage.add(x, y);
+                pixel = kNone;
+            }
+    }
+    void remember(const HardShape& shape, std::span<const Vertex, 3> corners, const Samples& decided) {
+        const auto key = std::tuple(shape.frame.x1, shape.frame.y1, shape.texture_width, shape.texture_height);
+        if (groups_.size() >= kMostGroups && !groups_.contains(key)) return;
+        Together& group = groups_[key];
+        if (group.expected.empty()) {
+            group.frame = shape.frame;
+            group.texture_width = shape.texture_width, group.texture_height = shape.texture_height;
+            group.expected.assign(pixels_of(shape.frame), kNone);
+        }
+        group.vertices.insert(group.vertices.end(), corners.begin(), corners.end());
+        for (const DecidedSample& s : decided)
+            group.expected[static_cast<std::size_t>(s.y * pitch(shape.frame) + s.x)] = address(shape, s.texel);
+    }
+    void check(Together& group) {
+        std::vector<std::uint32_t> pixels(group.expected.size(), kNone);
+        RasterCounters counters;
+        draw_into(pixels, group.frame, group.texture_width, group.texture_height, group.vertices, counters);
+        for (std::size_t n = 0; n < pixels.size(); ++n) row_->together += pixels[n] != group.expected[n];
+    }
+
+    bool perspective_;
+    StressRow* row_;
+    std::vector<std::uint32_t> pixels_, addresses_;  ///< pixels_: all kNone between two triangles
+    std::map<std::tuple<int, int, int, int>, Together> groups_;
+};
+
+}  // namespace
+
+StressRow stress_fast(const Family& family, StressMode mode, std::uint64_t seed, int shapes) {
+    StressRow row{.family = &family, .mode = mode, .method = "fast", .number = ""};
+    FastRun run(mode, row);
+    for (int n = 0; n < shapes; ++n) run.shape(shape_at(family, mode, seed, n));
+    run.finish();
+    return row;
+}
+
+}  // namespace texelscope
