@@ -4,27 +4,28 @@
 #include <cmath>
 
 #include "core/base/assert.h"
+#include "core/number/float_bits.h"
 
 namespace texelscope {
 namespace {
 
 __extension__ using Wide = __int128;
-constexpr int kBits = 29;  ///< a coordinate of 2^-6 or more is a multiple of 2^-29
-
-[[nodiscard]] std::int64_t in_units(float coordinate) {
-    return static_cast<std::int64_t>(std::ldexp(static_cast<double>(coordinate), kBits));
-}
 
 }  // namespace
 
 int first_pixel(const Vertex& a, const Vertex& b, int row) {
     const Vertex &top = a.y < b.y ? a : b, &bottom = a.y < b.y ? b : a;
+    int bits = 1;  // half a pixel is a whole number of units of 2^-bits
+    for (const float c : {a.x, a.y, b.x, b.y})
+        if (c != 0) bits = std::max(bits, -lowest_exponent(c));
+    const auto in_units = [bits](float c) {
+        return static_cast<std::int64_t>(std::ldexp(static_cast<double>(c), bits));
+    };
     const Wide dx = in_units(bottom.x) - in_units(top.x), dy = in_units(bottom.y) - in_units(top.y);
     TEXELSCOPE_ASSERT(dy > 0);
-    constexpr std::int64_t kHalf = std::int64_t{1} << (kBits - 1);
-    const std::int64_t y = (std::int64_t{row} << kBits) + kHalf;
-    // x - 1/2 = above / below; a shift by a whole pixel more than any negative x makes it positive.
-    const Wide above = Wide(in_units(top.x) - kHalf) * dy + dx * (y - in_units(top.y)), below = dy << kBits;
+    const std::int64_t half = std::int64_t{1} << (bits - 1), y = std::int64_t{row} * 2 * half + half;
+    // x - 1/2 = above / below, rounded up.
+    const Wide above = Wide(in_units(top.x) - half) * dy + dx * (y - in_units(top.y)), below = dy << bits;
     const Wide whole = above / below;
     return static_cast<int>(whole + (above > whole * below ? 1 : 0));
 }

@@ -12,7 +12,8 @@
 namespace texelscope {
 
 /// The first pixel of row `row` at or right of the line through a and b: ceil(x(row + 1/2) - 1/2), by 128-bit division.
-/// Requires coordinates that are 0 or from 2^-6 to 2^21, and a.y != b.y. All absolute.
+/// Requires that double holds all coordinates, and the row, as multiples of one unit (setup-inl.h), and a.y != b.y. All
+/// absolute.
 [[nodiscard]] int first_pixel(const Vertex& a, const Vertex& b, int row);
 
 /// The place in the texture of a texel before wrapping.

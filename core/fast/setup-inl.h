@@ -6,6 +6,7 @@
 #define TEXELSCOPE_SETUP_INL
 #endif
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/fast/canvas.h"
@@ -51,14 +52,7 @@ struct Batch {
     Eight z_unsure;  ///< bound of what double has lost of z
 };
 
-/// Whether the coordinate is 0 or from 2^-6 to 2^21: then it is a multiple of 2^-29, and so are all differences, which
-/// double therefore holds. An origin below 2^23 changes nothing of that.
-HWY_INLINE hn::Mask<Real> is_fine(V c) {
-    const Real d;
-    const V size = hn::Abs(c);
-    return hn::Or(hn::Eq(c, hn::Zero(d)), hn::And(hn::Ge(size, hn::Set(d, 0x1p-6)), hn::Lt(size, hn::Set(d, 0x1p21))));
-}
-/// Whether it is a multiple of 2^-8 below 2^13.
+/// Whether the coordinate is a multiple of 2^-8 below 2^13.
 HWY_INLINE hn::Mask<Real> is_coarse(V c) {
     const Real d;
     const V scaled = hn::Mul(c, hn::Set(d, 256.0));
@@ -82,12 +76,27 @@ struct Corners {
         return hn::And(hn::And(hn::And(is_coarse(x0), is_coarse(y0)), hn::And(is_coarse(x1), is_coarse(y1))),
                        hn::And(is_coarse(x2), is_coarse(y2)));
     }
-    /// Of corners as given, before an origin is taken away.
-    [[nodiscard]] HWY_INLINE hn::Mask<Real> fine() const {
-        return hn::And(hn::And(hn::And(is_fine(x0), is_fine(y0)), hn::And(is_fine(x1), is_fine(y1))),
-                       hn::And(is_fine(x2), is_fine(y2)));
-    }
 };
+
+/// Whether double holds all differences of the corners as given, of these and samples, and of these and the target's
+/// origin: with all sizes below 2^k, all are multiples of 2^(k - 52). Coordinates like 1e-12 beside others of 1000 are
+/// not, and what is that far out is left alone, too.
+HWY_INLINE hn::Mask<Real> is_fine(const float* base, hn::Vec<Index> index, const RasterTarget& target) {
+    const Real d;
+    const hn::Repartition<uint64_t, Real> bits;
+    const double reach = std::max(std::abs(target.x0), std::abs(target.y0)) + std::max(target.width, target.height);
+    const V x0 = field(base, index, 0), y0 = field(base, index, 1), x1 = field(base, index, 6),
+            y1 = field(base, index, 7), x2 = field(base, index, 12), y2 = field(base, index, 13);
+    const V most =
+        hn::Max(hn::Max(most_of(hn::Abs(x0), hn::Abs(x1), hn::Abs(x2)), most_of(hn::Abs(y0), hn::Abs(y1), hn::Abs(y2))),
+                hn::Set(d, reach));
+    // Three times the power of two that is at most `most`: adding it rounds to multiples of 2^(k - 52).
+    const V power = hn::BitCast(d, hn::And(hn::BitCast(bits, most), hn::Set(bits, 0xFFFULL << 52)));
+    const V rounder = hn::Mul(power, hn::Set(d, 3.0));
+    const auto whole = [&](V c) HWY_ATTR { return hn::Eq(hn::Sub(hn::Add(c, rounder), rounder), c); };
+    return hn::And(hn::And(hn::And(whole(x0), whole(y0)), hn::And(whole(x1), whole(y1))),
+                   hn::And(hn::And(whole(x2), whole(y2)), hn::Lt(most, hn::Set(d, 0x1p30))));
+}
 
 HWY_INLINE void order(V& xa, V& ya, V& xb, V& yb) {
     const auto wrong = hn::Gt(ya, yb);

@@ -136,13 +136,7 @@ HWY_NOINLINE void look_at(int first, int all, const Canvas& canvas, Looked& look
     const V r0 = first_centre(low_y, target.height), r1 = first_centre(high_y, target.height);
     drop(RasterSkip::no_sample, hn::Or(hn::Ge(c0, c1), hn::Ge(r0, r1)));
 
-    const bool moved = target.x0 != 0 || target.y0 != 0;
-    auto fine = hn::Or(p.coarse(), p.fine());
-    if (moved) {
-        constexpr int kFarthest = 1 << 23;
-        const bool near = std::abs(target.x0) < kFarthest && std::abs(target.y0) < kFarthest;
-        fine = near ? Corners(base, index, RasterTarget{}).fine() : hn::FirstN(d, 0);
-    }
+    const auto fine = is_fine(base, index, target);
     const V area = p.area();
     drop(RasterSkip::zero_area, hn::And(fine, hn::Eq(area, zero)));
     if (canvas.job->cull_back) drop(RasterSkip::back_face, hn::And(fine, hn::Lt(area, zero)));

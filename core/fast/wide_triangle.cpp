@@ -1,9 +1,9 @@
 #include "core/fast/wide_triangle.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
+
+#include "core/number/float_bits.h"
 
 namespace texelscope {
 namespace {
@@ -12,16 +12,6 @@ __extension__ using Wide = __int128;
 
 constexpr double kMost = 0x1p120;  ///< 128 bits hold all sums of a few terms below it
 constexpr int kMostSteps = 40;     ///< of Euclid's algorithm: simple ratios need few
-
-/// The exponent of the lowest bit of a finite number that is not 0.
-[[nodiscard]] int lowest_exponent(float value) {
-    constexpr int kDigits = 23, kBias = 127;
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, &value, sizeof bits);
-    const int exponent = static_cast<int>(bits >> kDigits & 255U);
-    const std::uint32_t digits = (bits & ((1U << kDigits) - 1)) | (exponent > 0 ? 1U << kDigits : 0);
-    return std::max(exponent, 1) - kBias - kDigits + std::countr_zero(digits);
-}
 
 /// Three or six numbers as whole multiples of 2^-bits.
 template <std::size_t N>
