@@ -203,6 +203,7 @@ void FrontRun::measure_triangle() {
         FrontPoint& point = tally_->point;
         point.scene = options_.scenes[scene_]->id, point.rung = rung().id;
         point.label = rung().label, point.kind = id_of(rung().kind);
+        point.numbers = id_of(rung().format);
     }
     tally_->measure(*stage_, rung(), triangle_, (*reference_)[triangle_]);
     if (++triangle_ < stage_->count(rung())) return;

@@ -19,7 +19,8 @@ namespace texelscope {
 
 /// One rung in one scene. Errors are against rational arithmetic, times are of drawing alone.
 struct FrontPoint {
-    std::string scene, rung, label, kind;
+    std::string scene, rung, label, kind;                 ///< ids but for the label
+    std::string numbers;                                  ///< id of the NumberFormat that u and v are computed in
     Integer triangles = 0;                                ///< drawn: a slow rung draws only the scene's first ones
     Integer pixels = 0;                                   ///< that these own, exactly
     double median_ns = 0, min_ns = 0;                     ///< a pixel, of the rounds; 0 where not timed

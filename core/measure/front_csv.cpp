@@ -10,9 +10,9 @@ namespace texelscope {
 namespace {
 
 constexpr std::string_view kHeader =
-    "scene,rung,label,kind,triangles,pixels,median_ns,min_ns,missing,extra,wrong,checked,"
+    "scene,rung,label,kind,numbers,triangles,pixels,median_ns,min_ns,missing,extra,wrong,checked,"
     "max_error,p99_error,mean_error,bound,dominated_by,behind";
-constexpr std::size_t kColumns = 18;
+constexpr std::size_t kColumns = 19;
 
 /// The label alone may hold commas.
 [[nodiscard]] std::string quoted(const std::string& text) {
@@ -52,9 +52,10 @@ template <class T>
 std::string print_front(std::span<const FrontPoint> points) {
     std::string csv = std::string(kHeader) + "\n";
     for (const FrontPoint& p : points)
-        csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", p.scene, p.rung, quoted(p.label),
-                           p.kind, p.triangles, p.pixels, p.median_ns, p.min_ns, p.missing, p.extra, p.wrong, p.checked,
-                           p.max_error, p.p99_error, p.mean_error, p.bound, p.dominated_by, p.behind);
+        csv +=
+            fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", p.scene, p.rung, quoted(p.label),
+                        p.kind, p.numbers, p.triangles, p.pixels, p.median_ns, p.min_ns, p.missing, p.extra, p.wrong,
+                        p.checked, p.max_error, p.p99_error, p.mean_error, p.bound, p.dominated_by, p.behind);
     return csv;
 }
 
@@ -72,12 +73,13 @@ Result<std::vector<FrontPoint>> parse_front(std::string_view csv, const std::str
         std::array<std::string_view, kColumns> f;
         FrontPoint p;
         if (!split(line, f)) return Error{where, fmt::format("'{}', expected {} columns", line, kColumns)};
-        p.scene = f[0], p.rung = f[1], p.label = f[2], p.kind = f[3], p.dominated_by = f[16], p.behind = f[17];
-        const bool whole = read(f[4], p.triangles) && read(f[5], p.pixels) && read(f[8], p.missing) &&
-                           read(f[9], p.extra) && read(f[10], p.wrong) && read(f[11], p.checked);
-        const bool real = read(f[6], p.median_ns) && read(f[7], p.min_ns) && read(f[12], p.max_error) &&
-                          read(f[13], p.p99_error) && read(f[14], p.mean_error) && read(f[15], p.bound);
-        if (!whole || !real) return Error{where, fmt::format("'{}', expected numbers from the fifth column on", line)};
+        p.scene = f[0], p.rung = f[1], p.label = f[2], p.kind = f[3], p.numbers = f[4], p.dominated_by = f[17],
+        p.behind = f[18];
+        const bool whole = read(f[5], p.triangles) && read(f[6], p.pixels) && read(f[9], p.missing) &&
+                           read(f[10], p.extra) && read(f[11], p.wrong) && read(f[12], p.checked);
+        const bool real = read(f[7], p.median_ns) && read(f[8], p.min_ns) && read(f[13], p.max_error) &&
+                          read(f[14], p.p99_error) && read(f[15], p.mean_error) && read(f[16], p.bound);
+        if (!whole || !real) return Error{where, fmt::format("'{}', expected numbers in columns 6 to 17", line)};
         points.push_back(std::move(p));
     }
     if (points.empty()) return Error{name, "holds no points, expected a front as `texelscope front` writes it"};

@@ -31,8 +31,9 @@ Fate samples_of_kernel(const Job& job, const Window& window, const Put& put) {
     return Kernel{job.frame, *job.texture}.draw(job.corners, run::put_inside(window, put));
 }
 template <class Kernel>
-[[nodiscard]] Rung kernel(std::string id, std::string label, bounds::Bound bound) {
+[[nodiscard]] Rung kernel(std::string id, std::string label, NumberFormat format, bounds::Bound bound) {
     Rung rung{.id = std::move(id), .label = std::move(label), .kind = RungKind::kernel, .bound = bound};
+    rung.format = format;
     rung.render = render_kernel<Kernel>;
     rung.samples = samples_of_kernel<Kernel>;
     return rung;
@@ -46,7 +47,7 @@ struct Variant {
     bounds::Bound bound;
 };
 constexpr std::array<Variant, 5> kVariants{{
-    {"edge-equations", NumberFormat::f32, "based", "float from a corner", bounds::based_float},
+    {"edge-equations", NumberFormat::f32, "based", "float, corner", bounds::based_float},
     {"edge-equations", NumberFormat::f32, "additions", "float, additions", bounds::additions_float},
     {"subdivided", NumberFormat::f64, "every_8", "every 8 px", bounds::every_8},
     {"subdivided", NumberFormat::f64, "every_32", "every 32 px", bounds::every_32},
@@ -60,7 +61,7 @@ constexpr std::array<Variant, 3> kNamed{{
 }};
 
 [[nodiscard]] Rung rung_of(const Method& method, NumberFormat format) {
-    Rung rung{.method = &method, .format = format, .quirks = method.variants.back().quirks};
+    Rung rung{.format = format, .method = &method, .quirks = method.variants.back().quirks};
     rung.id = std::string(method.id) + ":" + std::string(id_of(format));
     rung.label = std::string(method.id) + " " + std::string(id_of(format));
     if (format == NumberFormat::exact) rung.most = kSlow;
@@ -86,16 +87,18 @@ constexpr std::array<Variant, 3> kNamed{{
 
 [[nodiscard]] std::vector<Rung> all_rungs() {
     std::vector<Rung> all;
-    all.push_back({.id = "fast", .label = "fast", .kind = RungKind::fast, .bound = bounds::none});
-    all.push_back(
-        {.id = "exact", .label = "exact", .kind = RungKind::exact, .bound = bounds::none, .most = kQuiteSlow});
+    Rung fast{.id = "fast", .label = "fast", .kind = RungKind::fast, .bound = bounds::none};
+    Rung exact{.id = "exact", .label = "exact", .kind = RungKind::exact, .bound = bounds::none, .most = kQuiteSlow};
+    fast.format = exact.format = NumberFormat::exact;
+    all.push_back(std::move(fast));
+    all.push_back(std::move(exact));
     for (const Variant& variant : kVariants) all.push_back(rung_of(variant));
-    all.push_back(kernel<TileBased<float>>("tile-based", "float in tiles", bounds::tile_float));
-    all.push_back(kernel<FixedSteps>("fixed-steps", "16.16 additions", bounds::fixed_16_16));
-    all.push_back(kernel<Coverage24_8>("coverage-24.8", "24.8 coverage", bounds::direct_double));
-    all.push_back(kernel<Newton<0>>("newton-0", "estimate of 1/w", bounds::newton_0));
-    all.push_back(kernel<Newton<1>>("newton-1", "and 1 Newton step", bounds::newton_1));
-    all.push_back(kernel<Newton<2>>("newton-2", "and 2 Newton steps", bounds::newton_2));
+    all.push_back(kernel<TileBased<float>>("tile-based", "float, tiles", NumberFormat::f32, bounds::tile_float));
+    all.push_back(kernel<FixedSteps>("fixed-steps", "16.16 additions", NumberFormat::fx16_16, bounds::fixed_16_16));
+    all.push_back(kernel<Coverage24_8>("coverage-24.8", "24.8 coverage", NumberFormat::f64, bounds::direct_double));
+    all.push_back(kernel<Newton<0>>("newton-0", "1/w to 12 bits", NumberFormat::f64, bounds::newton_0));
+    all.push_back(kernel<Newton<1>>("newton-1", "1/w, 1 Newton step", NumberFormat::f64, bounds::newton_1));
+    all.push_back(kernel<Newton<2>>("newton-2", "1/w, 2 Newton steps", NumberFormat::f64, bounds::newton_2));
     for (const Method* method : racers()) {
         if (find_in(all, method->id)) continue;  // `fast` and `exact` stand above as they are, not as methods
         for (const NumberFormatInfo& number : kNumberFormats) all.push_back(rung_of(*method, number.format));
@@ -125,7 +128,7 @@ RungStage::RungStage(FrontScene scene)
     pixels_.resize(static_cast<std::size_t>(picture_.width() + kPadding) * static_cast<std::size_t>(picture_.height()));
     const auto x0 = static_cast<float>(scene_.frame.x0), y0 = static_cast<float>(scene_.frame.y0);
     for (Vertex& corner : at_origin_) {
-        const Vertex before = corner;
+        [[maybe_unused]] const Vertex before = corner;
         corner.x -= x0, corner.y -= y0;  // exact: a window's coordinates are multiples of what its origin is one of
         TEXELSCOPE_ASSERT(double{corner.x} + x0 == before.x && double{corner.y} + y0 == before.y);
         corner.u /= kFrontTexture, corner.v /= kFrontTexture;

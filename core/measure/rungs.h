@@ -30,8 +30,9 @@ struct Rung {
     bounds::Bound bound = nullptr;  ///< on |Δu| and |Δv| over a triangle; null where none is published
     std::size_t most = 0;           ///< triangles that it draws at most, as it is slow; 0 = all
 
-    const Method* method = nullptr;  ///< of kind method, with the two that follow
-    NumberFormat format = NumberFormat::f64;
+    NumberFormat format = NumberFormat::f64;  ///< what u and v are computed in, nearly enough for a kernel
+
+    const Method* method = nullptr;  ///< of kind method, with its quirks
     QuirkSet quirks = 0;
     Fate (*render)(const Job&, Image&) = nullptr;                      ///< of kind kernel
     Fate (*samples)(const Job&, const Window&, const Put&) = nullptr;  ///< of kind kernel
