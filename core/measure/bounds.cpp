@@ -102,12 +102,15 @@ struct Plane {
     return double{far} / near;
 }
 
+/// What is no number stands for no promise.
+[[nodiscard]] double worse(double a, double b) { return std::isnan(b) ? kNothing : std::max(a, b); }
+
 /// The worse of u and v; with what a method without perspective makes of depths that differ.
 [[nodiscard]] double worst_affine(Corners c, double unit, auto&& error_of) {
     double worst = 0;
     for (const Values& a : {us(c), vs(c)})
-        worst = std::max(worst, error_of(plane_of(c, a, unit)) + affine_for_perspective(range_of(a), depth_ratio(c)));
-    return std::isnan(worst) ? kNothing : worst * kSlack;
+        worst = worse(worst, error_of(plane_of(c, a, unit)) + affine_for_perspective(range_of(a), depth_ratio(c)));
+    return worst * kSlack;
 }
 
 /// u = N / D from planes of u/w and 1/w in double, each of which is off by what `rounding` says.
@@ -143,9 +146,9 @@ struct Quotient {
     double worst = 0;
     for (const Values& a : {us(c), vs(c)}) {
         const Quotient q = quotient_of(c, a);
-        worst = std::max(worst, q.error + q.most * (e + kDouble * (1 + e)));
+        worst = worse(worst, q.error + q.most * (e + kDouble * (1 + e)));
     }
-    return std::isnan(worst) ? kNothing : worst * kSlack;
+    return worst * kSlack;
 }
 
 /// The method inverts a matrix whose planes count from the screen's origin. Its rounding is not derived but allowed
@@ -161,9 +164,9 @@ struct Quotient {
     for (const Values& a : {us(c), vs(c)}) {
         const Quotient q = quotient_of(c, a);
         const double range = std::min(range_of(a), n * q.change), r = std::min(depth_ratio(c), 1 + n * (q.ratio - 1));
-        worst = std::max(worst, affine_for_perspective(range, r) + allowance(c, a));
+        worst = worse(worst, affine_for_perspective(range, r) + allowance(c, a));
     }
-    return std::isnan(worst) ? kNothing : worst * kSlack;
+    return worst * kSlack;
 }
 
 }  // namespace
@@ -199,7 +202,7 @@ double every_16(Corners c) { return every(c, 16); }
 double every_32(Corners c) { return every(c, 32); }
 double adaptive(Corners c) {
     double rounding = 0;
-    for (const Values& a : {us(c), vs(c)}) rounding = std::max(rounding, allowance(c, a));
+    for (const Values& a : {us(c), vs(c)}) rounding = worse(rounding, allowance(c, a));
     return (1.0 / 16 + rounding) * kSlack;
 }
 double none(Corners) { return 0; }
