@@ -31,6 +31,11 @@ constexpr std::string_view kHeading = "Run time against error";
 constexpr std::string_view kSubheading =
     "the same triangles drawn in every way, against exact arithmetic; below and left is better";
 
+constexpr std::string_view kFootnote =
+    "Errors are of the greater of u and v, in texels; wrong: owned samples with another texel; –: no bound published.\n"
+    "Methods and kernels are definitions: scalar, one triangle after the other, into 24-bit pixels. `exact` and what\n"
+    "computes with fractions draw a scene's first triangles only. `fast` takes the whole list, into 32-bit pixels.\n";
+
 struct Options {
     std::vector<std::string> scenes, outputs;
     std::string from, theme = "dark";
@@ -90,9 +95,7 @@ Result<std::vector<FrontPoint>> measure(const Options& options) {
         table += "\n";
         points.erase(points.begin(), rest);
     }
-    table +=
-        "Errors are of the greater of u and v, in texels; wrong: samples with another texel. Methods and kernels\n"
-        "draw triangle by triangle into 24-bit pixels, the definitions at that; `fast` takes the list as a whole.\n";
+    table += kFootnote;
     return table;
 }
 
@@ -164,7 +167,9 @@ std::function<int()> define(CLI::App& app) {
     app.add_option("--reps", options->rounds, "rounds in which every rung is timed in turn")
         ->check(CLI::Range(kLeastRounds, kMostRounds))
         ->capture_default_str();
-    app.add_option("--seed", options->seed, "of the scenes' triangles")->capture_default_str();
+    app.add_option("--seed", options->seed, "of the scenes' triangles")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     app.add_option("-o,--output", options->outputs, "a .csv with every figure, or a .png; may be given twice")
         ->type_name("FILE");
     app.add_option("--from", options->from, "draw what an earlier run wrote as .csv, in place of measuring")

@@ -149,9 +149,10 @@ const FrontPoint* draw_front_plot(ui::Ui& ui, const Area& area, std::span<const 
         std::vector<const FrontPoint*> own;
         for (const FrontPoint& point : points)
             if (point.scene == scene && point.median_ns > 0) own.push_back(&point);
-        const auto column = static_cast<float>(n % columns), row = static_cast<float>(n / columns);
-        Panel panel(ui, {plots.x + column * (width + gap), plots.y + row * (height + gap), width, height},
-                    std::move(own), chosen);
+        const int column = n % columns, row = n / columns;
+        const float x = plots.x + static_cast<float>(column) * (width + gap);
+        const float y = plots.y + static_cast<float>(row) * (height + gap);
+        Panel panel(ui, {x, y, width, height}, std::move(own), chosen);
         const FrontSceneInfo* const info = find_front_scene(scene);
         if (const FrontPoint* here = panel.draw(info != nullptr ? info->title : scene)) hovered = here;
     }
