@@ -171,13 +171,14 @@ class Bench:
                    ties.make(self.folder))
 
     def scaled(self):
+        """Each file in a program of its own: after a million triangles a hundred would be drawn with cold caches."""
         files = scaling.make(self.folder, {name: self.workload(name) for name in ("hundred", "four")})
-        racer = self.fast([path for paths in files.values() for path in paths])
+        racers = {path.stem: Racer([self.program, "bench", path]) for paths in files.values() for path in paths}
         print("scaling ", end="", file=sys.stderr)
-        race([racer], self.options.rounds)
-        faults([racer])
-        if not racer.fault:
-            table(*scaling.report(self.folder, files, racer))
+        race(list(racers.values()), min(self.options.rounds, 3))
+        faults(racers.values())
+        if not any(racer.fault for racer in racers.values()):
+            table(*scaling.report(self.folder, files, racers))
             print(f"\n{self.folder / 'scaling.csv'}, {self.folder / 'scaling.svg'}")
 
 
