@@ -37,6 +37,7 @@ struct Options {
     std::vector<std::string> files;
     std::string texture, output;
     int reps = 0;  ///< 0: until the median is stable
+    bool stats = false;
 };
 
 [[nodiscard]] double seconds() {
@@ -139,6 +140,7 @@ int run(const Options& options) {
                              .threads = lane.racer->threads(),
                              .samples = lane.racer->samples(),
                              .triangles = lane.triangles};
+        if (options.stats) std::fprintf(stderr, "%s\n", lane.racer->stats().c_str());
         lines->write(timing_line(work, timing_of(lane.times)) + "\n");
     }
     if (const auto error = lines->finish()) return fail(*error);
@@ -157,6 +159,7 @@ std::function<int()> define(CLI::App& app) {
         ->check(CLI::Range(1, kMostReps))
         ->type_name("R");
     app.add_option("-o,--output", options->output, "what was drawn, as a PNG");
+    app.add_flag("--stats", options->stats, "print how often fast made each decision, as JSON on stderr");
     add_draw_options(app, options->draw);
     return [options] { return run(*options); };
 }

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "app/cli/json_line.h"
 #include "core/fast/raster.h"
 #include "core/image/packed.h"
 #include "core/scene/triangles_scene.h"
@@ -41,6 +42,22 @@ public:
     [[nodiscard]] Image picture() const override { return unpacked(pixels_.data(), pitch_, file_.width, file_.height); }
     [[nodiscard]] std::uint64_t samples() const override { return counters_.samples; }
     [[nodiscard]] int threads() const override { return 1; }
+    [[nodiscard]] std::string stats() const override {
+        JsonLine line;
+        const RasterCounters& c = counters_;
+        for (const auto& [name, count] : {std::pair{"triangles", c.triangles},
+                                          {"not finite", c.not_finite},
+                                          {"off screen", c.off_screen},
+                                          {"zero area", c.zero_area},
+                                          {"culled", c.culled},
+                                          {"slow", c.slow},
+                                          {"samples", c.samples},
+                                          {"crossings again", c.crossings},
+                                          {"texels in double", c.in_double},
+                                          {"texels in whole", c.in_whole}})
+            line.number(name, static_cast<Integer>(count));
+        return line.line();
+    }
 
 private:
     TrianglesFile file_;

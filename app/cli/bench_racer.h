@@ -26,6 +26,8 @@ public:
     [[nodiscard]] virtual Image picture() const = 0;
     [[nodiscard]] virtual std::uint64_t samples() const = 0;  ///< of one draw, those drawn again counted again
     [[nodiscard]] virtual int threads() const = 0;            ///< that draw
+    /// How often each decision was made in one draw, as a JSON object; empty where nobody counts.
+    [[nodiscard]] virtual std::string stats() const { return {}; }
 };
 
 /// Fails where the options are wrong, or what they name cannot draw these triangles.

@@ -118,6 +118,15 @@ TEST_F(BenchTest, SnapsFirstWhereAsked) {
     EXPECT_EQ(snapped, drawn(put("x.tri", file)));
 }
 
+TEST_F(BenchTest, CountsDecisionsOfOneDrawing) {
+    const std::string tri = put("x.tri", some_triangles());
+    const Ran once = run_program("bench --stats --reps 1 " + tri), often = run_program("bench --stats --reps 4 " + tri);
+    EXPECT_EQ(once.err.rfind("{\"triangles\":20,", 0), 0U) << once.err;
+    EXPECT_EQ(once.err, often.err);
+    const std::string samples = "\"samples\":" + std::to_string(covered_samples(some_triangles())) + ",";
+    EXPECT_NE(once.err.find(samples), std::string::npos) << once.err << samples;
+}
+
 TEST_F(BenchTest, TimesEveryMethod) {
     const std::string tri = put("x.tri", some_triangles());
     for (const Method* method : methods()) {
