@@ -2,6 +2,7 @@
 // order, in pieces as wide as the machine's vectors, as core/fast does for wide rows. Rows and where their texels begin
 // are computed before the clock starts; nothing is decided, so that now and then a texel is its neighbour.
 //   bare_loop FILE.tri ROUNDS [OUT.png]   affine, no depth, textures of powers of two
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -128,10 +129,10 @@ void run(const Call& call) {
     const Texels texels{image.data(), 32 - u_bits, 32 - v_bits - u_bits,
                         static_cast<std::uint32_t>((file.texture_height - 1) * file.texture_width)};
     std::vector<std::uint32_t> pixels(static_cast<std::size_t>(pitch) * static_cast<std::size_t>(file.height));
-    race(
-        call, "bare-loop", [&] { std::fill(pixels.begin(), pixels.end(), packed(Rgb{})); },
-        [&] { HWY_DYNAMIC_DISPATCH(draw_rows)
-              (rows, texels, pixels.data()); });
+    const auto clear = [&] { std::fill(pixels.begin(), pixels.end(), packed(Rgb{})); };
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());  // once, not within the time
+    const auto draw = HWY_DYNAMIC_DISPATCH(draw_rows);
+    race(call, "bare-loop", clear, [&] { draw(rows, texels, pixels.data()); });
     if (!call.picture.empty()) write_picture(call, unpacked(pixels.data(), pitch, file.width, file.height));
 }
 
