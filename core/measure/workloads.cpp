@@ -53,7 +53,8 @@ private:
 /// A texture laid over the screen: turned, about one texel for a pixel.
 class Laid {
 public:
-    explicit Laid(Dice& dice) : along_(dice.direction() * dice.within(.7F, 1.4F) / float{kTexture}) {
+    explicit Laid(Dice& dice) : along_(dice.direction() / float{kTexture}) {
+        along_ *= dice.within(.7F, 1.4F);  // apart: compilers differ in which of two operands they throw first
         offset_ = dice.place(0) / float{kTexture};
     }
     [[nodiscard]] glm::vec2 at(glm::vec2 p) const {
@@ -146,21 +147,25 @@ void add(TrianglesFile& file, Dice& dice, const std::array<glm::vec2, 3>& corner
     TrianglesFile file = screen(seed);
     file.depth = file.cull_back = true;
     constexpr int kWalls = 200, kAll = 1'000'000;
-    for (int n = 0; n < kWalls; ++n) add(file, dice, around(dice, dice.place(0), 30'000), dice.within(.3F, .4F));
+    const auto put = [&](glm::vec2 middle, float area, float low, float high) {
+        const auto corners = around(dice, middle, area);
+        add(file, dice, corners, dice.within(low, high));
+    };
+    for (int n = 0; n < kWalls; ++n) put(dice.place(0), 30'000, .3F, .4F);
     for (int n = kWalls; n < kAll; ++n) {
         const float kind = dice.within(0, 1);
         if (kind < .1F) {  // seen, in front of the walls
-            add(file, dice, around(dice, dice.place(4), 10), dice.within(.05F, .25F));
+            put(dice.place(4), 10, .05F, .25F);
         } else if (kind < .35F) {  // behind them
-            add(file, dice, around(dice, dice.place(8), 30), dice.within(.5F, .9F));
+            put(dice.place(8), 30, .5F, .9F);
         } else if (kind < .6F) {  // from the back
-            add(file, dice, around(dice, dice.place(8), 30), dice.within(.05F, .9F));
+            put(dice.place(8), 30, .05F, .9F);
             std::swap(file.vertices.back(), file.vertices[file.vertices.size() - 2]);
         } else if (kind < .8F) {  // off the screen
             const glm::vec2 aside{dice.chance(.5F) ? kScreen + 20 : -kScreen - 20, 0};
-            add(file, dice, around(dice, dice.place(0) + aside, 30), dice.within(.05F, .9F));
+            put(dice.place(0) + aside, 30, .05F, .9F);
         } else {  // no sample inside
-            add(file, dice, around(dice, glm::floor(dice.place(4)), .05F), dice.within(.05F, .9F));
+            put(glm::floor(dice.place(4)), .05F, .05F, .9F);
         }
     }
     return file;

@@ -5,6 +5,7 @@
 //   f32  x, y [px], z, w, u, v [repeats: 1 = the whole texture] of each vertex
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@
 namespace texelscope {
 
 inline constexpr std::uint32_t kMaxFileTriangles = 10'000'000;
+inline constexpr std::size_t kMaxFileBytes = 64 + std::size_t{kMaxFileTriangles} * 72;
 
 struct TrianglesFile {
     int width = 0, height = 0;  ///< of the framebuffer [px], [1, kMaxSize]

@@ -1,40 +1,37 @@
 // The same triangles by Mesa's software rasterizer, off screen: what people use who need no GPU.
 //   LP_NUM_THREADS=0 llvmpipe FILE.tri ROUNDS [OUT.png]   prints as `texelscope bench` does
+// Depth (LESS) and culling as the file asks for them; nearest, repeat, into RGBA8. It is not exact about
+//   where a corner lies    rounded to 1/256 px
+//   what lies far outside  cut at its guard band, the cut's corners rounded again
+//   which texel            u and v are float32 planes over the screen
+//   how deep               so is z; where two are nearly as deep, either may win
 #define GL_GLEXT_PROTOTYPES
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include <algorithm>
 #include <array>
-#include <chrono>
-#include <cstdio>
 #include <cstdlib>
-#include <filesystem>
+#include <string_view>
 #include <vector>
 
-#include "core/base/file.h"
-#include "core/image/load.h"
-#include "core/image/patterns.h"
-#include "core/scene/triangles_file.h"
+#include "core/image/packed.h"
+#include "core/scene/triangles_scene.h"
+#include "tests/bench/peers/peer.h"
 
-namespace texelscope {
+namespace texelscope::peer {
 namespace {
-
-[[noreturn]] void stop(const char* what) {
-    std::fprintf(stderr, "llvmpipe: %s\n", what);
-    std::exit(2);
-}
 
 constexpr const char* kVertex = R"(#version 330 core
 layout(location = 0) in vec4 place;
 layout(location = 1) in vec2 uv;
 uniform vec2 size;
+uniform bool perspective;
 out vec2 at;
 void main() {
     vec2 on_screen = vec2(2.0 * place.x / size.x - 1.0, 2.0 * place.y / size.y - 1.0);
-    gl_Position = vec4(on_screen, 2.0 * place.z - 1.0, 1.0) * place.w;
+    gl_Position = vec4(on_screen, 2.0 * place.z - 1.0, 1.0) * (perspective ? place.w : 1.0);
     at = uv;
 })";
 constexpr const char* kFragment = R"(#version 330 core
@@ -56,6 +53,11 @@ void open_context() {
     EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted.data());
     if (context == EGL_NO_CONTEXT || eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE)
         stop("there is no OpenGL 3.3 without a surface");
+    const std::string_view name(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+    if (name.find("llvmpipe") == name.npos) stop("OpenGL is by " + std::string(name) + ", expected llvmpipe");
+    const char* const threads = std::getenv("LP_NUM_THREADS");
+    if (threads == nullptr || std::string_view(threads) != "0")
+        stop("expected LP_NUM_THREADS=0: it draws on one thread");
 }
 
 [[nodiscard]] GLuint shader(GLenum kind, const char* text) {
@@ -75,6 +77,7 @@ void make_program(const TrianglesFile& file) {
     glLinkProgram(program);
     glUseProgram(program);
     glUniform2f(glGetUniformLocation(program, "size"), static_cast<float>(file.width), static_cast<float>(file.height));
+    glUniform1i(glGetUniformLocation(program, "perspective"), file.perspective ? 1 : 0);
 }
 
 void make_target(const TrianglesFile& file) {
@@ -106,10 +109,7 @@ void make_input(const TrianglesFile& file) {
     glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(Vertex), reinterpret_cast<const void*>(16));
     glEnableVertexAttribArray(0);
     glEnableVertexAttribArray(1);
-    const Image image = make_pattern(Pattern::uv, file.texture_width, file.texture_height, 1);
-    std::vector<std::uint8_t> texels;
-    for (std::size_t n = 0; n < image.size(); ++n)
-        texels.insert(texels.end(), {image.data()[n].r, image.data()[n].g, image.data()[n].b, 255});
+    const std::vector<std::uint32_t> texels = packed(default_texels(file));
     glGenTextures(1, &texture);
     glBindTexture(GL_TEXTURE_2D, texture);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, file.texture_width, file.texture_height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
@@ -117,50 +117,29 @@ void make_input(const TrianglesFile& file) {
     for (const GLenum side : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         glTexParameteri(GL_TEXTURE_2D, side, GL_NEAREST);
     if (file.depth) glEnable(GL_DEPTH_TEST), glDepthFunc(GL_LESS);
-    // y runs downward in the file's rows and in those of the framebuffer as they are read: what is clockwise there is
-    // counterclockwise to OpenGL once more upside down.
+    // The file's first row is OpenGL's lowest, so front faces are counterclockwise there.
     if (file.cull_back) glEnable(GL_CULL_FACE), glFrontFace(GL_CCW);
 }
 
-/// @return  of drawing alone, until all is in the framebuffer [ms]
-[[nodiscard]] double draw(const TrianglesFile& file) {
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glFinish();
-    const auto start = std::chrono::steady_clock::now();
-    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(file.vertices.size()));
-    glFinish();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-int run(const char* path, int rounds, const char* picture) {
-    constexpr std::size_t kMostBytes = 64 + std::size_t{kMaxFileTriangles} * 72;
-    const auto bytes = read_file(path, kMostBytes);
-    if (!bytes) stop(bytes.error().text().c_str());
-    const auto file = parse_triangles(*bytes, path);
-    if (!file) stop(file.error().text().c_str());
+void run(const Call& call) {
+    const TrianglesFile& file = call.file;
     open_context();
-    make_program(*file), make_target(*file), make_input(*file);
-    static_cast<void>(draw(*file));  // the shaders are compiled at their first use
-    std::vector<double> times;
-    for (int n = 0; n < rounds; ++n) times.push_back(draw(*file));
-    std::sort(times.begin(), times.end());
-    const double median = times[times.size() / 2];
-    std::printf("llvmpipe,t1,%s,%.4f,%.4f,%.2f,%.3f\n", std::filesystem::path(path).stem().c_str(), median, times[0],
-                static_cast<double>(file->covered) / median / 1e3,
-                static_cast<double>(file->vertices.size() / 3) / median / 1e3);
-    if (picture == nullptr) return 0;
-    std::vector<std::uint8_t> rgba(static_cast<std::size_t>(file->width) * static_cast<std::size_t>(file->height) * 4);
-    glReadPixels(0, 0, file->width, file->height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
-    Image image(file->width, file->height);
-    for (std::size_t n = 0; n < image.size(); ++n) image.data()[n] = {rgba[4 * n], rgba[4 * n + 1], rgba[4 * n + 2]};
-    const auto png = encode_png(image);
-    return png && !write_file_atomically(picture, *png) ? 0 : 2;
+    make_program(file), make_target(file), make_input(file);
+    const auto clear = [] {
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        glFinish();
+    };
+    race(call, "llvmpipe", clear, [&] {
+        glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(file.vertices.size()));
+        glFinish();
+    });
+    if (call.picture.empty()) return;
+    std::vector<std::uint32_t> pixels(static_cast<std::size_t>(file.width) * static_cast<std::size_t>(file.height));
+    glReadPixels(0, 0, file.width, file.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    write_picture(call, unpacked(pixels.data(), file.width, file.width, file.height));
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::peer
 
-int main(int count, char** words) {
-    if (count < 3) texelscope::stop("expected FILE.tri ROUNDS [OUT.png]");
-    return texelscope::run(words[1], std::max(1, std::atoi(words[2])), count > 3 ? words[3] : nullptr);
-}
+int main(int count, char** words) { texelscope::peer::run(texelscope::peer::read_call(count, words)); }

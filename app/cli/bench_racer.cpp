@@ -1,0 +1,148 @@
+#include "app/cli/bench_racer.h"
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "app/cli/json_line.h"
+#include "core/fast/raster.h"
+#include "core/image/packed.h"
+#include "core/scene/triangles_scene.h"
+
+namespace texelscope {
+namespace {
+
+constexpr std::size_t kMostInScene = 2'000'000;  ///< triangles; as polygons of a scene they take 300 bytes each
+constexpr int kPadding = 16;                     ///< beyond each row [px]: rows then are no power of two apart
+
+class FastRacer final : public Racer {
+public:
+    FastRacer(TrianglesFile file, const Image& texels, const RasterSettings& settings)
+        : file_(std::move(file)),
+          texels_(packed(texels)),
+          texture_{texels_.data(), texels.width(), texels.height()},
+          settings_(settings),
+          pitch_(file_.width + kPadding),
+          pixels_(static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(file_.height)) {}
+
+    void clear() override { std::fill(pixels_.begin(), pixels_.end(), packed(Rgb{})); }
+    void draw() override {
+        counters_ = {};
+        const RasterJob job{.vertices = file_.vertices,
+                            .u_texels = texture_.width,
+                            .v_texels = texture_.height,
+                            .perspective = file_.perspective,
+                            .cull_back = file_.cull_back};
+        texelscope::draw({pixels_.data(), pitch_, file_.width, file_.height}, texture_, job, settings_, counters_);
+    }
+    [[nodiscard]] Image picture() const override { return unpacked(pixels_.data(), pitch_, file_.width, file_.height); }
+    [[nodiscard]] std::uint64_t samples() const override { return counters_.samples; }
+    [[nodiscard]] int threads() const override { return 1; }
+    [[nodiscard]] std::string stats() const override {
+        JsonLine line;
+        const RasterCounters& c = counters_;
+        for (const auto& [name, count] : {std::pair{"triangles", c.triangles},
+                                          {"not finite", c.not_finite},
+                                          {"off screen", c.off_screen},
+                                          {"zero area", c.zero_area},
+                                          {"culled", c.culled},
+                                          {"slow", c.slow},
+                                          {"samples", c.samples},
+                                          {"crossings again", c.crossings},
+                                          {"texels in double", c.in_double},
+                                          {"texels in whole", c.in_whole}})
+            line.number(name, static_cast<Integer>(count));
+        return line.line();
+    }
+
+private:
+    TrianglesFile file_;
+    std::vector<std::uint32_t> texels_;
+    RasterTexture texture_;
+    RasterSettings settings_;
+    int pitch_;
+    std::vector<std::uint32_t> pixels_;
+    RasterCounters counters_;
+};
+
+class MethodRacer final : public Racer {
+public:
+    MethodRacer(const TrianglesFile& file, Image texels, const DrawSettings& settings)
+        : scene_(scene_of(file, std::move(texels))),
+          drawing_(scene_, settings),
+          picture_(file.width, file.height),
+          samples_(file.covered) {
+        if (samples_ > 0) return;
+        each_sample(drawing_, 0, drawing_.shape_count(), {scene_.framebuffer.rect(), 1},
+                    [&](int, const Sample& s) { samples_ += s.fate == Fate::written ? 1U : 0U; });
+    }
+
+    void clear() override { std::fill_n(picture_.data(), picture_.size(), scene_.framebuffer.clear); }
+    /// As render() of core/method/drawing.h, but into a picture that is there already.
+    void draw() override {
+        if (scene_.depth == Depth::less) {
+            each_sample(drawing_, 0, drawing_.shape_count(), {scene_.framebuffer.rect(), 1}, [&](int, const Sample& s) {
+                if (s.fate == Fate::written) picture_.at(static_cast<int>(s.x), static_cast<int>(s.y)) = s.colour;
+            });
+            return;
+        }
+        const DrawSettings& settings = drawing_.settings();
+        for (int n = 0; n < drawing_.shape_count(); ++n)
+            if (drawing_.refusal(n) == Fate::written && drawing_.touches(n, scene_.framebuffer.rect()))
+                settings.method->render(settings.format, drawing_.job(n), picture_);
+    }
+    [[nodiscard]] Image picture() const override { return picture_; }
+    [[nodiscard]] std::uint64_t samples() const override { return samples_; }
+    [[nodiscard]] int threads() const override { return 1; }
+
+private:
+    Scene scene_;
+    Drawing drawing_;
+    Image picture_;
+    std::uint64_t samples_;
+};
+
+/// What the fast rasterizer cannot do.
+std::optional<std::string> beyond_fast(const TrianglesFile& file, const Image& texels) {
+    const auto is_power = [](int size) { return std::has_single_bit(static_cast<unsigned>(size)); };
+    if (!is_power(texels.width()) || !is_power(texels.height()))
+        return fmt::format("the texture is {} x {}, expected powers of two for the method fast", texels.width(),
+                           texels.height());
+    if (file.depth) return "it asks for a depth test, which the method fast does not do";
+    return std::nullopt;
+}
+
+Result<RasterSettings> fast_settings(const DrawOptions& options) {
+    RasterSettings settings;
+    for (const SimdLevelInfo& level : kSimdLevels)
+        if (level.id == options.target) settings.level = level.level;
+    if (!is_supported(settings.level))
+        return Error{"", fmt::format("--target {}: this machine has no such instructions", options.target)};
+    if (!options.skips.empty()) return Error{"", fmt::format("--skip '{}': fast has no such skip", options.skips[0])};
+    if (!options.quirks.empty()) return Error{"", fmt::format("--quirk '{}': fast has none", options.quirks[0])};
+    return settings;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Racer>> make_racer(TrianglesFile file, Image texels, const DrawOptions& options,
+                                          const std::string& name) {
+    if (options.method == kFastMethod) {
+        const auto settings = fast_settings(options);
+        if (!settings) return settings.error();
+        if (auto what = beyond_fast(file, texels)) return Error{name, *std::move(what)};
+        return std::unique_ptr<Racer>(std::make_unique<FastRacer>(std::move(file), texels, *settings));
+    }
+    const auto settings = draw_settings(options);
+    if (!settings) return settings.error();
+    if (file.vertices.size() / 3 > kMostInScene)
+        return Error{name, fmt::format("there are {} triangles, expected at most {} for the method {}",
+                                       file.vertices.size() / 3, kMostInScene, options.method)};
+    return std::unique_ptr<Racer>(std::make_unique<MethodRacer>(file, std::move(texels), *settings));
+}
+
+}  // namespace texelscope
