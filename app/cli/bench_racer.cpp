@@ -1,8 +1,6 @@
 #include "app/cli/bench_racer.h"
 
 #include <algorithm>
-#include <bit>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,38 +22,48 @@ public:
     FastRacer(TrianglesFile file, const Image& texels, const RasterSettings& settings)
         : file_(std::move(file)),
           texels_(packed(texels)),
-          texture_{texels_.data(), texels.width(), texels.height()},
+          texture_{texels_.data(), texels.width(), texels.height(), Wrap::repeat},
           settings_(settings),
           pitch_(file_.width + kPadding),
-          pixels_(static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(file_.height)) {}
+          pixels_(static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(file_.height)),
+          depth_(file_.depth ? pixels_.size() : 0) {}
 
-    void clear() override { std::fill(pixels_.begin(), pixels_.end(), packed(Rgb{})); }
+    void clear() override {
+        std::fill(pixels_.begin(), pixels_.end(), packed(Rgb{}));
+        std::fill(depth_.begin(), depth_.end(), 1.0F);
+    }
     void draw() override {
         counters_ = {};
         const RasterJob job{.vertices = file_.vertices,
                             .u_texels = texture_.width,
                             .v_texels = texture_.height,
                             .perspective = file_.perspective,
-                            .cull_back = file_.cull_back};
-        texelscope::draw({pixels_.data(), pitch_, file_.width, file_.height}, texture_, job, settings_, counters_);
+                            .cull_back = file_.cull_back,
+                            .depth = file_.depth};
+        const RasterTarget target{.pixels = pixels_.data(),
+                                  .pitch = pitch_,
+                                  .width = file_.width,
+                                  .height = file_.height,
+                                  .depth = depth_.data()};
+        texelscope::draw(target, texture_, job, settings_, counters_);
     }
     [[nodiscard]] Image picture() const override { return unpacked(pixels_.data(), pitch_, file_.width, file_.height); }
     [[nodiscard]] std::uint64_t samples() const override { return counters_.samples; }
-    [[nodiscard]] int threads() const override { return 1; }
+    [[nodiscard]] int threads() const override { return settings_.threads; }
     [[nodiscard]] std::string stats() const override {
         JsonLine line;
         const RasterCounters& c = counters_;
         for (const auto& [name, count] : {std::pair{"triangles", c.triangles},
-                                          {"not finite", c.not_finite},
-                                          {"off screen", c.off_screen},
-                                          {"zero area", c.zero_area},
-                                          {"culled", c.culled},
+                                          {"set up", c.drawn},
+                                          {"refused", c.refused},
                                           {"slow", c.slow},
                                           {"samples", c.samples},
                                           {"crossings again", c.crossings},
                                           {"texels in double", c.in_double},
                                           {"texels in whole", c.in_whole}})
             line.number(name, static_cast<Integer>(count));
+        for (const RasterSkipInfo& skip : kRasterSkips)
+            line.number(skip.id, static_cast<Integer>(c.skipped[static_cast<std::size_t>(skip.skip)]));
         return line.line();
     }
 
@@ -66,6 +74,7 @@ private:
     RasterSettings settings_;
     int pitch_;
     std::vector<std::uint32_t> pixels_;
+    std::vector<float> depth_;
     RasterCounters counters_;
 };
 
@@ -106,23 +115,26 @@ private:
     std::uint64_t samples_;
 };
 
-/// What the fast rasterizer cannot do.
-std::optional<std::string> beyond_fast(const TrianglesFile& file, const Image& texels) {
-    const auto is_power = [](int size) { return std::has_single_bit(static_cast<unsigned>(size)); };
-    if (!is_power(texels.width()) || !is_power(texels.height()))
-        return fmt::format("the texture is {} x {}, expected powers of two for the method fast", texels.width(),
-                           texels.height());
-    if (file.depth) return "it asks for a depth test, which the method fast does not do";
-    return std::nullopt;
-}
-
 Result<RasterSettings> fast_settings(const DrawOptions& options) {
     RasterSettings settings;
     for (const SimdLevelInfo& level : kSimdLevels)
         if (level.id == options.target) settings.level = level.level;
     if (!is_supported(settings.level))
         return Error{"", fmt::format("--target {}: this machine has no such instructions", options.target)};
-    if (!options.skips.empty()) return Error{"", fmt::format("--skip '{}': fast has no such skip", options.skips[0])};
+    for (const std::string& word : options.skips) {
+        const std::size_t equals = word.find('=');
+        const std::string id = word.substr(0, equals), how = equals == std::string::npos ? "" : word.substr(equals + 1);
+        const auto skip =
+            std::find_if(kRasterSkips.begin(), kRasterSkips.end(), [&](const auto& s) { return s.id == id; });
+        if (skip == kRasterSkips.end()) return Error{"", fmt::format("--skip '{}': fast has no such skip", word)};
+        if (how != "on" && how != "off")
+            return Error{"", fmt::format("--skip '{}', expected {}=on or {}=off", word, id, id)};
+        const std::uint32_t bit = 1U << static_cast<unsigned>(skip->skip);
+        settings.skips = how == "on" ? settings.skips | bit : settings.skips & ~bit;
+    }
+    if (options.threads < 1 || options.threads > kMaxRasterThreads)
+        return Error{"", fmt::format("--threads {}, expected 1 to {}", options.threads, kMaxRasterThreads)};
+    settings.threads = options.threads;
     if (!options.quirks.empty()) return Error{"", fmt::format("--quirk '{}': fast has none", options.quirks[0])};
     return settings;
 }
@@ -134,7 +146,6 @@ Result<std::unique_ptr<Racer>> make_racer(TrianglesFile file, Image texels, cons
     if (options.method == kFastMethod) {
         const auto settings = fast_settings(options);
         if (!settings) return settings.error();
-        if (auto what = beyond_fast(file, texels)) return Error{name, *std::move(what)};
         return std::unique_ptr<Racer>(std::make_unique<FastRacer>(std::move(file), texels, *settings));
     }
     const auto settings = draw_settings(options);

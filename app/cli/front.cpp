@@ -81,8 +81,7 @@ Result<std::vector<FrontPoint>> measure(const Options& options) {
         const std::string scene = points.front().scene;
         const auto rest =
             std::stable_partition(points.begin(), points.end(), [&](const FrontPoint& p) { return p.scene == scene; });
-        std::sort(points.begin(), rest,
-                  [](const FrontPoint& a, const FrontPoint& b) { return a.median_ns < b.median_ns; });
+        std::sort(points.begin(), rest, [](const FrontPoint& a, const FrontPoint& b) { return a.min_ns < b.min_ns; });
         const FrontSceneInfo* const info = find_front_scene(scene);
         table += fmt::format("{}: {}\n{:<32}{:>11}{:>11}{:>9}{:>8}{:>10}{:>10}{:>10}{:>10}{:>10}  {}\n", scene,
                              info != nullptr ? info->summary : "", "rung", "ns a pixel", "least", "missing", "extra",

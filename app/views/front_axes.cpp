@@ -46,7 +46,7 @@ Axes::Axes(ui::Ui& ui, const ui::Area& area, std::span<const FrontPoint* const> 
         endless_ = endless_ || std::isinf(p->max_error);
         for (const double error : {p->max_error, p->bound})
             if (error > 0 && std::isfinite(error)) least = std::min(least, error), most = std::max(most, error);
-        fastest = std::min(fastest, p->median_ns), slowest = std::max(slowest, p->median_ns);
+        fastest = std::min(fastest, p->min_ns), slowest = std::max(slowest, p->min_ns);
     }
     if (points.empty()) fastest = 1, slowest = 100;
     time_ = {fastest / kTimeMargin, slowest * kTimeMargin, plot_.x, plot_.right()};
@@ -55,7 +55,7 @@ Axes::Axes(ui::Ui& ui, const ui::Area& area, std::span<const FrontPoint* const> 
 }
 
 glm::vec2 Axes::place_of(const FrontPoint& point) const {
-    return {time_.at(point.median_ns), height_of(point.max_error)};
+    return {time_.at(point.min_ns), height_of(point.max_error)};
 }
 
 float Axes::height_of(double error) const {

@@ -85,7 +85,7 @@ private:
     /// One after the other, the fastest first, in lines of about kWidest.
     [[nodiscard]] Label label_of(std::vector<const FrontPoint*> points, int rank) const {
         std::stable_sort(points.begin(), points.end(),
-                         [](const FrontPoint* a, const FrontPoint* b) { return a->median_ns < b->median_ns; });
+                         [](const FrontPoint* a, const FrontPoint* b) { return a->min_ns < b->min_ns; });
         Label label{.points = std::move(points), .face = rank < 2 ? Face::title : Face::note, .rank = rank};
         const ui::Font& font = ui_.font(label.face);
         const float line = line_of(font), space = ui_.px(6);

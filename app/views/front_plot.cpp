@@ -61,7 +61,7 @@ private:
         for (const FrontPoint* p : points_)
             if (front::leads(*p)) front.push_back(p);
         std::sort(front.begin(), front.end(),
-                  [](const FrontPoint* a, const FrontPoint* b) { return a->median_ns < b->median_ns; });
+                  [](const FrontPoint* a, const FrontPoint* b) { return a->min_ns < b->min_ns; });
         glm::vec2 last{0, axes_.plot().y};
         for (std::size_t n = 0; n < front.size(); ++n) {
             const glm::vec2 here = axes_.place_of(*front[n]);
@@ -148,7 +148,7 @@ const FrontPoint* draw_front_plot(ui::Ui& ui, const Area& area, std::span<const 
         const std::string_view scene = scenes[static_cast<std::size_t>(n)];
         std::vector<const FrontPoint*> own;
         for (const FrontPoint& point : points)
-            if (point.scene == scene && point.median_ns > 0) own.push_back(&point);
+            if (point.scene == scene && point.min_ns > 0) own.push_back(&point);
         const int column = n % columns, row = n / columns;
         const float x = plots.x + static_cast<float>(column) * (width + gap);
         const float y = plots.y + static_cast<float>(row) * (height + gap);

@@ -41,10 +41,10 @@ std::vector<Target>& targets() {
 
 /// The best of the level's targets that the machine has; null where there is none.
 [[nodiscard]] DrawAll find_draw(SimdLevel level) {
+    static const std::int64_t kSupported = hwy::SupportedTargets();  // asks the machine, which takes 20 microseconds
     const Target* best = nullptr;
     for (const Target& target : targets())
-        if ((target.bits & hwy::SupportedTargets() & bits_of(level)) != 0 &&
-            (best == nullptr || target.bits < best->bits))
+        if ((target.bits & kSupported & bits_of(level)) != 0 && (best == nullptr || target.bits < best->bits))
             best = &target;
     return best != nullptr ? best->draw : nullptr;
 }

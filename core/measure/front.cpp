@@ -271,8 +271,7 @@ void mark_dominated(std::span<FrontPoint> points) {
         const FrontPoint* best = nullptr;
         for (const FrontPoint& q : points) {
             if (q.scene != p.scene || (without_fast && q.kind == id_of(RungKind::fast))) continue;
-            if (q.median_ns < p.median_ns && q.max_error <= p.max_error &&
-                (best == nullptr || q.median_ns < best->median_ns))
+            if (q.min_ns < p.min_ns && q.max_error <= p.max_error && (best == nullptr || q.min_ns < best->min_ns))
                 best = &q;
         }
         return best != nullptr ? best->rung : std::string();

@@ -37,7 +37,7 @@ struct FrontPoint {
     }
 };
 
-/// Fills dominated_by and behind for the points of each scene, from median_ns and max_error.
+/// Fills dominated_by and behind for the points of each scene, from min_ns and max_error.
 void mark_dominated(std::span<FrontPoint> points);
 
 struct FrontOptions {

@@ -21,7 +21,6 @@ public:
 
     void shape(const HardShape& shape) {
         ++row_->shapes;
-        if (!is_served(shape)) return void(++row_->not_served);
         Coverage coverage(shape);
         for (std::size_t n = 0; n < triangles_of(shape); ++n) triangle(shape, n, coverage);
         coverage.finish(*row_);
@@ -31,19 +30,17 @@ public:
     }
 
 private:
-    /// What core/fast does not draw so far: frames and textures of other kinds, and numbers that are not finite.
-    [[nodiscard]] static bool is_served(const HardShape& shape) {
-        const auto power_of_two = [](int n) { return (n & (n - 1)) == 0; };
-        return shape.frame.x0 == 0 && shape.frame.y0 == 0 && power_of_two(shape.texture_width) &&
-               power_of_two(shape.texture_height) && is_drawable(shape.vertices);
-    }
     static constexpr std::uint32_t kNone = ~0U;
     static constexpr int kGap = 16;
     static constexpr std::size_t kMostGroups = 16;
 
-    [[nodiscard]] static int pitch(const Rect& frame) { return frame.x1 + kGap; }
+    [[nodiscard]] static int pitch(const Rect& frame) { return frame.width() + kGap; }
     [[nodiscard]] static std::size_t pixels_of(const Rect& frame) {
-        return static_cast<std::size_t>(pitch(frame)) * static_cast<std::size_t>(frame.y1);
+        return static_cast<std::size_t>(pitch(frame)) * static_cast<std::size_t>(frame.height());
+    }
+    /// Where a frame's pixel is.
+    [[nodiscard]] static std::size_t at(const Rect& frame, Integer x, Integer y) {
+        return static_cast<std::size_t>((y - frame.y0) * pitch(frame) + x - frame.x0);
     }
     [[nodiscard]] static std::uint32_t address(const HardShape& shape, const TexelIndex& texel) {
         return static_cast<std::uint32_t>(wrap_index(texel.v, shape.texture_height, Wrap::repeat) *
@@ -54,8 +51,14 @@ private:
                    std::span<const Vertex> vertices, RasterCounters& counters) {
         while (addresses_.size() < static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
             addresses_.push_back(static_cast<std::uint32_t>(addresses_.size()));
-        draw({pixels.data(), pitch(frame), frame.x1, frame.y1}, {addresses_.data(), width, height},
-             {.vertices = vertices, .perspective = perspective_}, {}, counters);
+        draw({.pixels = pixels.data(),
+              .pitch = pitch(frame),
+              .width = frame.width(),
+              .height = frame.height(),
+              .x0 = frame.x0,
+              .y0 = frame.y0},
+             {addresses_.data(), width, height, Wrap::repeat}, {.vertices = vertices, .perspective = perspective_}, {},
+             counters);
     }
 
     void triangle(const HardShape& shape, std::size_t n, Coverage& coverage) {
@@ -66,7 +69,7 @@ private:
         ++row_->triangles, row_->samples += static_cast<std::int64_t>(decided.size());
         const std::int64_t before = row_->missing + row_->extra + row_->wrong;
         for (const DecidedSample& s : decided) {
-            std::uint32_t& pixel = pixels_[static_cast<std::size_t>(s.y * pitch(shape.frame) + s.x)];
+            std::uint32_t& pixel = pixels_[at(shape.frame, s.x, s.y)];
             row_->missing += pixel == kNone, row_->wrong += pixel != kNone && pixel != address(shape, s.texel);
             if (pixel != kNone) coverage.add(s.x, s.y);
             pixel = kNone;
@@ -80,21 +83,23 @@ private:
         Rect box = shape.frame;
         constexpr int kSmall = 4096, kRound = 8;
         if (pixels_of(shape.frame) > kSmall && is_drawable(corners)) {
-            const auto within = [](float a, int most) { return static_cast<int>(std::clamp<double>(a, 0, most)); };
+            const auto within = [](float a, int most) { return static_cast<int>(std::clamp<double>(a, -most, most)); };
             const auto [left, right] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
             const auto [top, bottom] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
-            box = intersection(box, {within(left, box.x1) - kRound, within(top, box.y1) - kRound,
-                                     within(right, box.x1) + kRound, within(bottom, box.y1) + kRound});
+            constexpr int kMost = 1 << 30;
+            box = intersection(box, {within(left, kMost) - kRound, within(top, kMost) - kRound,
+                                     within(right, kMost) + kRound, within(bottom, kMost) + kRound});
         }
         for (int y = box.y0; y < box.y1; ++y)
             for (int x = box.x0; x < box.x1; ++x) {
-                std::uint32_t& pixel = pixels_[static_cast<std::size_t>(Integer{y} * pitch(shape.frame) + x)];
+                std::uint32_t& pixel = pixels_[at(shape.frame, x, y)];
                 if (pixel != kNone) ++row_->extra, coverage.add(x, y);
                 pixel = kNone;
             }
     }
     void remember(const HardShape& shape, std::span<const Vertex, 3> corners, const Samples& decided) {
-        const auto key = std::tuple(shape.frame.x1, shape.frame.y1, shape.texture_width, shape.texture_height);
+        const Rect& f = shape.frame;
+        const auto key = std::tuple(f.x0, f.y0, f.x1, f.y1, shape.texture_width, shape.texture_height);
         if (groups_.size() >= kMostGroups && !groups_.contains(key)) return;
         Together& group = groups_[key];
         if (group.expected.empty()) {
@@ -103,8 +108,7 @@ private:
             group.expected.assign(pixels_of(shape.frame), kNone);
         }
         group.vertices.insert(group.vertices.end(), corners.begin(), corners.end());
-        for (const DecidedSample& s : decided)
-            group.expected[static_cast<std::size_t>(s.y * pitch(shape.frame) + s.x)] = address(shape, s.texel);
+        for (const DecidedSample& s : decided) group.expected[at(shape.frame, s.x, s.y)] = address(shape, s.texel);
     }
     void check(Together& group) {
         std::vector<std::uint32_t> pixels(group.expected.size(), kNone);
@@ -116,7 +120,7 @@ private:
     bool perspective_;
     StressRow* row_;
     std::vector<std::uint32_t> pixels_, addresses_;  ///< pixels_: all kNone between two triangles
-    std::map<std::tuple<int, int, int, int>, Together> groups_;
+    std::map<std::tuple<int, int, int, int, int, int>, Together> groups_;
 };
 
 }  // namespace

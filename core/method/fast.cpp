@@ -24,12 +24,17 @@ struct Scratch {
         const int pitch = frame.width() + kGap;
         const auto needed = static_cast<std::size_t>(pitch) * static_cast<std::size_t>(frame.height());
         if (pixels.size() < needed) pixels.resize(needed, kNone);
-        return {pixels.data(), pitch, frame.width(), frame.height()};
+        return {.pixels = pixels.data(),
+                .pitch = pitch,
+                .width = frame.width(),
+                .height = frame.height(),
+                .x0 = frame.x0,
+                .y0 = frame.y0};
     }
     [[nodiscard]] RasterTexture texture(const Texture& texture) {
         for (auto n = static_cast<std::uint32_t>(addresses.size()); n < texture.texels.size(); ++n)
             addresses.push_back(n);
-        return {addresses.data(), texture.width(), texture.height()};
+        return {addresses.data(), texture.width(), texture.height(), texture.wrap};
     }
 };
 [[nodiscard]] Scratch& scratch() {
@@ -37,14 +42,9 @@ struct Scratch {
     return kept;
 }
 
-/// Whether the rasterizer draws such jobs; the others are drawn exactly, one by one.
+/// Whether the rasterizer draws such jobs as the definition does, whose indices saturate farther out; the others are
+/// drawn exactly, one by one.
 [[nodiscard]] bool is_served(const Job& job) {
-    const auto power_of_two = [](int size) { return (size & (size - 1)) == 0; };
-    const Texture& texture = *job.texture;
-    const bool wraps = texture.wrap == Wrap::repeat || texture.wrap == Wrap::mask;
-    if (job.frame.x0 != 0 || job.frame.y0 != 0) return false;
-    if (!wraps || !power_of_two(texture.width()) || !power_of_two(texture.height())) return false;
-    // Farther out the definition's indices saturate.
     return std::all_of(job.corners.begin(), job.corners.end(), [](const Vertex& corner) {
         return double{std::abs(corner.u)} < kIntegerLimit && double{std::abs(corner.v)} < kIntegerLimit;
     });
@@ -61,11 +61,11 @@ void draw_batch(Scratch& s, const Job& job, const Rect& box, Image& picture) {
     const Rgb* const texels = job.texture->texels.data();
     const auto lit = exactly_lit(job);
     for (int y = box.y0; y < box.y1; ++y) {
-        std::uint32_t* const row = target.pixels + y * target.pitch;
-        for (int x = box.x0; x < box.x1; ++x) {
+        std::uint32_t* const row = target.pixels + (y - target.y0) * target.pitch;
+        for (int x = box.x0 - target.x0; x < box.x1 - target.x0; ++x) {
             if (row[x] == kNone) continue;
             const Rgb& texel = texels[row[x]];
-            picture.at(x, y) = {lit[texel.r], lit[texel.g], lit[texel.b]};
+            picture.at(x, y - target.y0) = {lit[texel.r], lit[texel.g], lit[texel.b]};
             row[x] = kNone;
         }
     }

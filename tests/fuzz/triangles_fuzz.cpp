@@ -28,13 +28,8 @@ struct Drawn {
 };
 
 Drawn drawn(const TrianglesFile& file, SimdLevel level) {
-    // Texels that are their own addresses, as many as a power of two lets into the file's texture and a picture shows.
-    const auto side = [](int size) {
-        int side = 1;
-        while (side * 2 <= std::min(size, 32)) side *= 2;
-        return side;
-    };
-    const int width = side(file.texture_width), height = side(file.texture_height);
+    // Texels that are their own addresses, as many as the file's texture has up to what a picture shows.
+    const int width = std::min(file.texture_width, 32), height = std::min(file.texture_height, 32);
     std::vector<std::uint32_t> texels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     for (std::size_t n = 0; n < texels.size(); ++n) texels[n] = static_cast<std::uint32_t>(n);
     const RasterJob job{.vertices = file.vertices,
