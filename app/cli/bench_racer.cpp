@@ -15,14 +15,14 @@ namespace texelscope {
 namespace {
 
 constexpr std::size_t kMostInScene = 2'000'000;  ///< triangles; as polygons of a scene they take 300 bytes each
-constexpr int kPadding = 16;                     ///< beyond each row [px]: rows then are no power of two apart
+constexpr int kPadding = 16;                     ///< beyond each row: rows then are no power of two apart
 
 class FastRacer final : public Racer {
 public:
     FastRacer(TrianglesFile file, const Image& texels, const RasterSettings& settings)
         : file_(std::move(file)),
-          texels_(packed(texels)),
-          texture_{texels_.data(), texels.width(), texels.height(), Wrap::repeat},
+          texels_(packed(texels, texels.width() + kPadding)),
+          texture_{texels_.data(), texels.width(), texels.height(), Wrap::repeat, texels.width() + kPadding},
           settings_(settings),
           pitch_(file_.width + kPadding),
           pixels_(static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(file_.height)),

@@ -32,7 +32,7 @@ int first_pixel(const Vertex& a, const Vertex& b, int row) {
 
 std::uint32_t place_of(const RasterTexture& texture, const TexelIndex& texel) {
     return static_cast<std::uint32_t>(wrap_index(texel.v, texture.height, texture.wrap)) *
-               static_cast<std::uint32_t>(texture.width) +
+               static_cast<std::uint32_t>(texture.pitch) +
            static_cast<std::uint32_t>(wrap_index(texel.u, texture.width, texture.wrap));
 }
 

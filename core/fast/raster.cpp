@@ -87,6 +87,7 @@ void draw_band(const RasterTarget& target, const RasterTexture& texture, const R
                   .addressing = addressing_of(texture),
                   .u_unit = 0x1p32 * job.u_texels / texture.width,
                   .v_unit = 0x1p32 * job.v_texels / texture.height};
+    if (texture.pitch == 0) canvas.texture.pitch = texture.width;
     if (canvas.addressing == Addressing::powers)
         canvas.u_bits = log2_of(texture.width), canvas.v_bits = log2_of(texture.height);
     find_draw(settings.level)(canvas);

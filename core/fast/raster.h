@@ -27,6 +27,8 @@ struct RasterTexture {
     const std::uint32_t* texels = nullptr;  ///< row-major from the top left
     int width = 0, height = 0;              ///< [texels]
     Wrap wrap = Wrap::repeat;               ///< mask: both sizes are powers of two
+    int pitch = 0;  ///< from one row to the next [texels]; 0: width. Rows a power of two of bytes apart share their
+                    ///< places in the cache, which costs a third of the speed
 };
 
 /// What each value of a channel becomes under a light.

@@ -17,29 +17,6 @@ HWY_BEFORE_NAMESPACE();
 namespace texelscope {
 namespace HWY_NAMESPACE {
 
-/// table[place] of each lane. By single loads: gather instructions are slower than these on many machines (2,400 texels
-/// a microsecond against 1,900 on the one that this was measured on, with rows of 200 from a turned texture).
-template <class Tag>
-HWY_INLINE hn::Vec<Tag> look_up(Tag p, const uint32_t* table, hn::Vec<Tag> place) {
-#if HWY_TARGET == HWY_SCALAR
-    return hn::Set(p, table[hn::GetLane(place)]);
-#else
-    if constexpr (hn::MaxLanes(p) > 4) {
-        const hn::Half<Tag> half;
-        return hn::Combine(p, look_up(half, table, hn::UpperHalf(half, place)),
-                           look_up(half, table, hn::LowerHalf(half, place)));
-    } else {
-        const hn::Repartition<uint64_t, Tag> pairs;
-        const uint64_t low = hn::GetLane(hn::BitCast(pairs, place)),
-                       high = hn::ExtractLane(hn::BitCast(pairs, place), 1);
-        auto found = hn::Set(p, table[static_cast<uint32_t>(low)]);
-        found = hn::InsertLane(found, 1, table[low >> 32]);
-        found = hn::InsertLane(found, 2, table[static_cast<uint32_t>(high)]);
-        return hn::InsertLane(found, 3, table[high >> 32]);
-    }
-#endif
-}
-
 /// The upper 32 bits of each product.
 template <class Pixels>
 HWY_INLINE Pixels upper_half(Pixels a, Pixels b) {
@@ -115,26 +92,21 @@ template <class Tag, Addressing kAddressing>
 struct Texels {
     using Pixels = hn::Vec<Tag>;
     Axis<Tag, kAddressing> u, v;
-    Pixels rows;  ///< of powers: the bits of a row's first texel
+    Pixels pitch;
     const uint32_t* texels;
     const uint32_t* light;
-    int v_up;
 
     HWY_INLINE Texels(const Canvas& canvas, const Batch& b, int t, double u_doubt, double v_doubt, const HalfGaps& gaps)
         : u(u_doubt, gaps.u, b.u.shift.at[t], canvas.texture.width),
           v(v_doubt, gaps.v, b.v.shift.at[t], canvas.texture.height),
           texels(canvas.texture.texels),
-          light(canvas.job->light != nullptr ? canvas.job->light->data() : nullptr),
-          v_up(b.v.shift.at[t] - canvas.u_bits) {
-        rows = hn::Set(Tag{}, static_cast<uint32_t>((canvas.texture.height - 1) * canvas.texture.width));
+          light(canvas.job->light != nullptr ? canvas.job->light->data() : nullptr) {
+        pitch = hn::Set(Tag{}, static_cast<uint32_t>(canvas.texture.pitch));
     }
     [[nodiscard]] HWY_INLINE bool fits() const { return u.fits && v.fits; }
     /// Where in the texture.
     [[nodiscard]] HWY_INLINE Pixels place(Pixels at_u, Pixels at_v) const {
-        if constexpr (kAddressing == Addressing::powers)
-            return hn::Or(hn::And(hn::ShiftRightSame(at_v, v_up), rows), u.index(at_u));
-        else
-            return hn::Add(hn::Mul(v.index(at_v), u.size), u.index(at_u));
+        return hn::Add(hn::Mul(v.index(at_v), pitch), u.index(at_u));
     }
     [[nodiscard]] HWY_INLINE Pixels fetch(Pixels at_u, Pixels at_v) const { return fetch(place(at_u, at_v)); }
     [[nodiscard]] HWY_INLINE Pixels fetch(Pixels at) const {

@@ -17,10 +17,12 @@ namespace texelscope {
     return {byte(0), byte(8), byte(16)};
 }
 
-/// Row after row.
-[[nodiscard]] inline std::vector<std::uint32_t> packed(const Image& image) {
-    std::vector<std::uint32_t> pixels(image.size());
-    for (std::size_t n = 0; n < pixels.size(); ++n) pixels[n] = packed(image.data()[n]);
+/// @param pitch  from one row to the next [px], at least the width.
+[[nodiscard]] inline std::vector<std::uint32_t> packed(const Image& image, int pitch) {
+    std::vector<std::uint32_t> pixels(static_cast<std::size_t>(pitch) * static_cast<std::size_t>(image.height()));
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            pixels[static_cast<std::size_t>(y * pitch + x)] = packed(image.at(x, y));
     return pixels;
 }
 

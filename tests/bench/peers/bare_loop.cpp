@@ -15,8 +15,11 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/bench/peers/bare_loop.cpp"
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+
+#include "core/fast/simd-inl.h"
 
 #ifndef TEXELSCOPE_BARE_LOOP_ROW
 #define TEXELSCOPE_BARE_LOOP_ROW
@@ -29,8 +32,8 @@ struct Row {
 };
 struct Texels {
     const std::uint32_t* first;
-    int u_shift, v_up;       ///< of a fraction to its column; of the other to its row's first texel
-    std::uint32_t row_bits;  ///< of a row's first texel
+    int u_shift, v_shift;  ///< of a fraction to its column, or row
+    std::uint32_t pitch;   ///< from one row to the next [texels]
 };
 
 }  // namespace texelscope::peer
@@ -42,9 +45,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 HWY_ATTR void draw_rows(std::span<const Row> rows, const Texels& texels, std::uint32_t* pixels) {
     const hn::ScalableTag<std::uint32_t> p;
-    const hn::RebindToSigned<decltype(p)> s;
     const std::size_t lanes = hn::Lanes(p);
-    const auto steps = hn::Iota(p, 0), row_bits = hn::Set(p, texels.row_bits);
+    const auto steps = hn::Iota(p, 0), pitch = hn::Set(p, texels.pitch);
     for (const Row& row : rows) {
         const auto u_x = hn::Set(p, row.u_x), v_x = hn::Set(p, row.v_x);
         const auto u_step = hn::Mul(u_x, hn::Set(p, static_cast<std::uint32_t>(lanes))),
@@ -52,9 +54,9 @@ HWY_ATTR void draw_rows(std::span<const Row> rows, const Texels& texels, std::ui
         auto u = hn::Add(hn::Set(p, row.u), hn::Mul(u_x, steps)), v = hn::Add(hn::Set(p, row.v), hn::Mul(v_x, steps));
         std::uint32_t* out = pixels + row.first;
         const auto fetch = [&]() HWY_ATTR {
-            const auto place =
-                hn::Or(hn::And(hn::ShiftRightSame(v, texels.v_up), row_bits), hn::ShiftRightSame(u, texels.u_shift));
-            return hn::GatherIndex(p, texels.first, hn::BitCast(s, place));
+            const auto row_of_texels = hn::Mul(hn::ShiftRightSame(v, texels.v_shift), pitch);
+            return texelscope::HWY_NAMESPACE::look_up(p, texels.first,
+                                                      hn::Add(row_of_texels, hn::ShiftRightSame(u, texels.u_shift)));
         };
         std::size_t left = row.count;
         for (; left >= lanes; left -= lanes, out += lanes) {
@@ -74,7 +76,7 @@ namespace {
 
 HWY_EXPORT(draw_rows);
 
-constexpr int kPadding = 16;  ///< beyond each row, as `bench` has it [px]
+constexpr int kPadding = 16;  ///< beyond each row, as `bench` has it
 
 /// a(x, y) = at + x a_x + y a_y through the corners' values.
 struct Plane {
@@ -123,11 +125,11 @@ void run(const Call& call) {
         stop("the bare loop draws affine triangles without depth, textures of powers of two");
     const int pitch = file.width + kPadding;
     const std::vector<Row> rows = rows_of(file, pitch);
-    const std::vector<std::uint32_t> image = packed(default_texels(file));
+    const int texture_pitch = file.texture_width + kPadding;
+    const std::vector<std::uint32_t> image = packed(default_texels(file), texture_pitch);
     const int u_bits = std::countr_zero(static_cast<unsigned>(file.texture_width)),
               v_bits = std::countr_zero(static_cast<unsigned>(file.texture_height));
-    const Texels texels{image.data(), 32 - u_bits, 32 - v_bits - u_bits,
-                        static_cast<std::uint32_t>((file.texture_height - 1) * file.texture_width)};
+    const Texels texels{image.data(), 32 - u_bits, 32 - v_bits, static_cast<std::uint32_t>(texture_pitch)};
     std::vector<std::uint32_t> pixels(static_cast<std::size_t>(pitch) * static_cast<std::size_t>(file.height));
     const auto clear = [&] { std::fill(pixels.begin(), pixels.end(), packed(Rgb{})); };
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());  // once, not within the time

@@ -109,7 +109,7 @@ void make_input(const TrianglesFile& file) {
     glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(Vertex), reinterpret_cast<const void*>(16));
     glEnableVertexAttribArray(0);
     glEnableVertexAttribArray(1);
-    const std::vector<std::uint32_t> texels = packed(default_texels(file));
+    const std::vector<std::uint32_t> texels = packed(default_texels(file), file.texture_width);
     glGenTextures(1, &texture);
     glBindTexture(GL_TEXTURE_2D, texture);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, file.texture_width, file.texture_height, 0, GL_RGBA, GL_UNSIGNED_BYTE,

@@ -30,9 +30,10 @@ std::string text_of(std::span<const Vertex> corners) {
 struct Addresses {
     std::vector<std::uint32_t> texels;
     RasterTexture texture;
-    Addresses(int width, int height, Wrap wrap) : texels(static_cast<std::size_t>(width * height)) {
+    Addresses(int width, int height, Wrap wrap, int pitch = 0)
+        : texels(static_cast<std::size_t>(std::max(width, pitch) * height)) {
         for (std::size_t n = 0; n < texels.size(); ++n) texels[n] = static_cast<std::uint32_t>(n);
-        texture = {texels.data(), width, height, wrap};
+        texture = {texels.data(), width, height, wrap, pitch};
     }
 };
 
@@ -80,8 +81,9 @@ Picture decided(const RasterTexture& texture, const RasterJob& job, Origin origi
                     picture.depth[at] = z;
                 }
                 const TexelIndex texel = triangle.texel(x, origin.y + y);
-                const int place = wrap_index(texel.v, texture.height, texture.wrap) * texture.width +
-                                  wrap_index(texel.u, texture.width, texture.wrap);
+                const int place =
+                    wrap_index(texel.v, texture.height, texture.wrap) * std::max(texture.width, texture.pitch) +
+                    wrap_index(texel.u, texture.width, texture.wrap);
                 picture.pixels[at] = lit(texture.texels[place], job.light);
             }
         }
@@ -115,11 +117,11 @@ std::vector<Vertex> random_triangle(laws::Dice& dice, int n) {
 /// What textures may be.
 const std::array<Addresses, 6>& textures() {
     static const std::array<Addresses, 6> all{{{64, 16, Wrap::repeat},
-                                               {48, 80, Wrap::repeat},
+                                               {48, 80, Wrap::repeat, 50},
                                                {64, 16, Wrap::clamp},
                                                {37, 1, Wrap::clamp},
                                                {1, 128, Wrap::repeat},
-                                               {256, 256, Wrap::mask}}};
+                                               {256, 256, Wrap::mask, 272}}};
     return all;
 }
 
