@@ -19,7 +19,7 @@ public:
     explicit DepthTiles(const RasterTarget& target)
         : target_(target),
           columns_((target.width + kSide - 1) / kSide),
-          tiles_(static_cast<std::size_t>(columns_ * ((target.height + kSide - 1) / kSide))) {}
+          tiles_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>((target.height + kSide - 1) / kSide)) {}
 
     /// Nothing that is `nearest` or farther passes LESS anywhere in the box.
     [[nodiscard]] bool hides(const PixelBox& box, float nearest) {
@@ -40,7 +40,9 @@ private:
         float farthest = std::numeric_limits<float>::infinity();  ///< or farther, where stale
         bool stale = true;
     };
-    [[nodiscard]] Tile& at(int x, int y) { return tiles_[static_cast<std::size_t>(y * columns_ + x)]; }
+    [[nodiscard]] Tile& at(int x, int y) {
+        return tiles_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)];
+    }
 
     [[nodiscard]] bool hides(int x, int y, float nearest) {
         Tile& tile = at(x, y);

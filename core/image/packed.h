@@ -22,7 +22,7 @@ namespace texelscope {
     std::vector<std::uint32_t> pixels(static_cast<std::size_t>(pitch) * static_cast<std::size_t>(image.height()));
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x)
-            pixels[static_cast<std::size_t>(y * pitch + x)] = packed(image.at(x, y));
+            pixels[static_cast<std::size_t>(std::ptrdiff_t{y} * pitch + x)] = packed(image.at(x, y));
     return pixels;
 }
 

@@ -42,9 +42,12 @@ struct Scratch {
     return kept;
 }
 
-/// Whether the rasterizer draws such jobs as the definition does, whose indices saturate farther out; the others are
-/// drawn exactly, one by one.
+/// Whether the rasterizer draws such jobs as the definition does, which masks textures of any size and whose indices
+/// saturate farther out; the others are drawn exactly, one by one.
 [[nodiscard]] bool is_served(const Job& job) {
+    const Texture& texture = *job.texture;
+    const auto power_of_two = [](int size) { return (size & (size - 1)) == 0; };
+    if (texture.wrap == Wrap::mask && !(power_of_two(texture.width()) && power_of_two(texture.height()))) return false;
     return std::all_of(job.corners.begin(), job.corners.end(), [](const Vertex& corner) {
         return double{std::abs(corner.u)} < kIntegerLimit && double{std::abs(corner.v)} < kIntegerLimit;
     });
