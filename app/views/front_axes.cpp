@@ -54,9 +54,7 @@ Axes::Axes(ui::Ui& ui, const ui::Area& area, std::span<const FrontPoint* const> 
               plot_.bottom() - ui.px(kShelf) - ui.px(8), plot_.y + (endless_ ? ui.px(kTop) : 0.0F)};
 }
 
-glm::vec2 Axes::place_of(const FrontPoint& point) const {
-    return {time_.at(point.min_ns), height_of(point.max_error)};
-}
+glm::vec2 Axes::place_of(const FrontPoint& point) const { return {time_.at(point.min_ns), height_of(point.max_error)}; }
 
 float Axes::height_of(double error) const {
     if (std::isinf(error)) return plot_.y + ui_.px(kTop) / 2;
