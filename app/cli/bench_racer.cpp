@@ -91,19 +91,7 @@ public:
     }
 
     void clear() override { std::fill_n(picture_.data(), picture_.size(), scene_.framebuffer.clear); }
-    /// As render() of core/method/drawing.h, but into a picture that is there already.
-    void draw() override {
-        if (scene_.depth == Depth::less) {
-            each_sample(drawing_, 0, drawing_.shape_count(), {scene_.framebuffer.rect(), 1}, [&](int, const Sample& s) {
-                if (s.fate == Fate::written) picture_.at(static_cast<int>(s.x), static_cast<int>(s.y)) = s.colour;
-            });
-            return;
-        }
-        const DrawSettings& settings = drawing_.settings();
-        for (int n = 0; n < drawing_.shape_count(); ++n)
-            if (drawing_.refusal(n) == Fate::written && drawing_.touches(n, scene_.framebuffer.rect()))
-                settings.method->render(settings.format, drawing_.job(n), picture_);
-    }
+    void draw() override { draw_into(drawing_, picture_); }
     [[nodiscard]] Image picture() const override { return picture_; }
     [[nodiscard]] std::uint64_t samples() const override { return samples_; }
     [[nodiscard]] int threads() const override { return 1; }

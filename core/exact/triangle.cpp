@@ -5,26 +5,10 @@
 #include <limits>
 
 #include "core/base/assert.h"
+#include "core/number/float_bits.h"
 
 namespace texelscope {
 namespace {
-
-constexpr int kDigits = std::numeric_limits<float>::digits;
-
-/// value = digits * 2^exponent; digits is odd or 0.
-struct Binary {
-    std::int64_t digits = 0;
-    int exponent = 0;
-};
-[[nodiscard]] Binary binary(float value) {
-    TEXELSCOPE_ASSERT(std::isfinite(value));
-    if (value == 0) return {};
-    Binary b;
-    b.digits = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &b.exponent), kDigits));
-    b.exponent -= kDigits;
-    while (b.digits % 2 == 0) b.digits /= 2, ++b.exponent;
-    return b;
-}
 
 /// Numbers as whole multiples of 2^exponent.
 template <class Whole, std::size_t N>
@@ -38,10 +22,12 @@ template <class Whole, std::size_t N>
     Scaled<Whole, N> all;
     all.exponent = highest;
     for (const float value : values)
-        if (value != 0) all.exponent = std::min(all.exponent, binary(value).exponent);
+        if (value != 0) all.exponent = std::min(all.exponent, lowest_exponent(value));
     for (std::size_t n = 0; n < N; ++n) {
-        const Binary b = binary(values[n]);
-        if (b.digits != 0) all.value[n] = Whole(b.digits) << (b.exponent - all.exponent);
+        if (values[n] == 0) continue;
+        const int exponent = lowest_exponent(values[n]);
+        const auto digits = static_cast<std::int64_t>(std::ldexp(static_cast<double>(values[n]), -exponent));
+        all.value[n] = Whole(digits) << (exponent - all.exponent);
     }
     return all;
 }

@@ -39,6 +39,15 @@ HWY_NOINLINE bool mend(Tag p, Again& again, int x, int y, hn::Mask<Tag> unsure, 
     return true;
 }
 
+/// Stores the texels of `nearer` at (x, y) and to its right, right ones at once: no later pass could tell them apart.
+template <Addressing kAddressing, class Tag>
+HWY_INLINE void put_nearer(Tag p, const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> u, hn::Vec<Tag> v, int x, int y,
+                           hn::Mask<Tag> nearer, Again& again, const Canvas& canvas) {
+    store_some(texels.fetch(u, v), nearer, p, canvas.target.pixels + y * canvas.target.pitch + x);
+    if (const auto unsure = hn::And(nearer, texels.unsure(u, v)); !hn::AllFalse(p, unsure))
+        mend(p, again, x, y, unsure, false, canvas);
+}
+
 /// Rows [row, row + count), some texels of which are unsure. Returns as mend() does.
 template <Addressing kAddressing, class Tag>
 HWY_NOINLINE bool rows_again(Tag p, const Batch& b, int t, int row, int count, const Rows& rows, Again& again,
@@ -66,10 +75,11 @@ HWY_NOINLINE bool draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
     const double u_doubt = b.u.doubt.at[t], v_doubt = b.v.doubt.at[t];
     Texels<Tag, kAddressing> texels(canvas, b, t, u_doubt, v_doubt, {});
     if (!texels.fits()) return false;
+    Again again(canvas, b, t, false);
     bool ties_known = false;
     const auto u_x = hn::Set(p, static_cast<uint32_t>(b.u.step.at[t])),
                v_x = hn::Set(p, static_cast<uint32_t>(b.v.step.at[t]));
-    const auto lanes = hn::Iota(p, 0), all = hn::Set(p, ~0U);
+    const auto lanes = hn::Iota(p, 0);
     const auto u_lanes = hn::Mul(u_x, lanes), v_lanes = hn::Mul(v_x, lanes);
     const auto u_step = hn::Mul(u_x, hn::Set(p, kLanes)), v_step = hn::Mul(v_x, hn::Set(p, kLanes));
     const Columns columns{b.column0.at[t], b.column1.at[t]};
@@ -80,52 +90,32 @@ HWY_NOINLINE bool draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
         const int count = std::min(kBatch, b.row1.at[t] - row);
         cross(b, t, row, count, columns, canvas, rows);
         start(b, t, row, texels.u.bias, texels.v.bias, rows);
-        auto least_u = all, least_v = all;
+        Least<Tag> least;
         const uint64_t before = samples;
-        uint32_t* line = canvas.target.pixels + row * pitch;
-        for (int n = 0; n < count; ++n, line += pitch) {
-            const int x0 = rows.x0.at[n];
-            int left = rows.x1.at[n] - x0;
+        for (int n = 0, y = row; n < count; ++n, ++y) {
+            int x = rows.x0.at[n], left = rows.x1.at[n] - x;
             if (left <= 0) continue;
             samples += static_cast<uint64_t>(left);
             auto u = hn::Add(hn::Set(p, static_cast<uint32_t>(rows.u.at[n])), u_lanes);
             auto v = hn::Add(hn::Set(p, static_cast<uint32_t>(rows.v.at[n])), v_lanes);
             if constexpr (kDepth) {
-                const DepthRow<Tag> depth(b, t, row + n);
-                Again again(canvas, b, t, false);
-                float* const z = canvas.target.depth + (row + n) * pitch;
-                for (int x = x0; left > 0; left -= kLanes, x += kLanes) {
+                const DepthRow<Tag> depth(b, t, y);
+                for (; left > 0; left -= kLanes, x += kLanes) {
                     const auto in = hn::FirstN(p, static_cast<size_t>(left));
-                    const auto nearer = pass_depth(depth, x, row + n, in, z, again);
-                    if (!hn::AllFalse(p, nearer)) {
-                        store_some(texels.fetch(u, v), nearer, p, line + x);
-                        if (const auto unsure = hn::And(nearer, texels.unsure(u, v)); !hn::AllFalse(p, unsure))
-                            mend(p, again, x, row + n, unsure, false, canvas);
-                    }
+                    const auto nearer = pass_depth(depth, x, y, in, canvas.target.depth + y * pitch, again);
+                    if (!hn::AllFalse(p, nearer)) put_nearer(p, texels, u, v, x, y, nearer, again, canvas);
                     u = hn::Add(u, u_step), v = hn::Add(v, v_step);
                 }
-                continue;
-            }
-            uint32_t* out = line + x0;
-            for (; left >= kLanes; left -= kLanes, out += kLanes) {
-                hn::StoreU(texels.fetch(u, v), p, out);
-                if constexpr (kCertain)
-                    least_u = hn::Min(least_u, texels.u.rest(u)), least_v = hn::Min(least_v, texels.v.rest(v));
-                u = hn::Add(u, u_step), v = hn::Add(v, v_step);
-            }
-            if (left > 0) {
-                const auto in = hn::FirstN(p, static_cast<size_t>(left));
-                store_some(texels.fetch(u, v), in, p, out);
-                if constexpr (kCertain) {
-                    least_u = hn::Min(least_u, hn::IfThenElse(in, texels.u.rest(u), all));
-                    least_v = hn::Min(least_v, hn::IfThenElse(in, texels.v.rest(v), all));
+            } else {
+                uint32_t* out = canvas.target.pixels + y * pitch + x;
+                for (; left >= kLanes; left -= kLanes, out += kLanes) {
+                    put_all<kCertain>(p, texels, u, v, out, least);
+                    u = hn::Add(u, u_step), v = hn::Add(v, v_step);
                 }
+                if (left > 0) put_some<kCertain>(p, texels, u, v, left, out, least);
             }
         }
-        if (kDepth || !kCertain ||
-            hn::AllFalse(p, hn::Or(hn::Lt(least_u, texels.u.least), hn::Lt(least_v, texels.v.least))))
-            continue;
-        Again again(canvas, b, t, false);
+        if (kDepth || !kCertain || least.is_sure(texels)) continue;
         if (!rows_again(p, b, t, row, count, rows, again, !ties_known, canvas, texels)) {
             // One that double cannot tell is rarely alone: these rows once more, past all ties.
             texels = Texels<Tag, kAddressing>(canvas, b, t, u_doubt, v_doubt, again.half_gaps());
@@ -147,8 +137,8 @@ HWY_NOINLINE bool draw_columns(const Batch& b, int t, const Canvas& canvas) {
     const double u_doubt = b.u.doubt.at[t], v_doubt = b.v.doubt.at[t];
     Texels<Tag, kAddressing> texels(canvas, b, t, u_doubt, v_doubt, {});
     if (!texels.fits()) return false;
+    Again again(canvas, b, t, false);
     bool ties_known = false;
-    const auto all = hn::Set(p, ~0U);
     const auto u_x = hn::Set(p, static_cast<uint32_t>(b.u.step.at[t])),
                v_x = hn::Set(p, static_cast<uint32_t>(b.v.step.at[t]));
     const Columns columns{b.column0.at[t], b.column1.at[t]};
@@ -160,7 +150,7 @@ HWY_NOINLINE bool draw_columns(const Batch& b, int t, const Canvas& canvas) {
         cross(b, t, row, count, columns, canvas, rows);
         for (int n = count; n < kBatch; ++n) rows.x1.at[n] = rows.x0.at[n];
         start(b, t, row, texels.u.bias, texels.v.bias, rows);
-        auto least_u = all, least_v = all;
+        Least<Tag> least;
         const uint64_t before = samples;
         for (int n = 0; n < count; n += kLanes) {
             const auto width = hn::Sub(hn::Load(s, rows.x1.at + n), hn::Load(s, rows.x0.at + n));
@@ -172,8 +162,7 @@ HWY_NOINLINE bool draw_columns(const Batch& b, int t, const Canvas& canvas) {
                 const uint32_t inside = bits_of(p, in);
                 if (inside == 0) break;
                 samples += static_cast<uint64_t>(std::popcount(inside));
-                least_u = hn::Min(least_u, hn::IfThenElse(in, texels.u.rest(u), all));
-                least_v = hn::Min(least_v, hn::IfThenElse(in, texels.v.rest(v), all));
+                least.see(texels, u, v, in);
                 alignas(64) uint32_t found[kLanes];
                 // Rows that have ended read once more what they have read.
                 hn::Store(texels.fetch(hn::IfThenElse(in, texels.place(u, v), first)), p, found);
@@ -184,8 +173,7 @@ HWY_NOINLINE bool draw_columns(const Batch& b, int t, const Canvas& canvas) {
                 u = hn::Add(u, u_x), v = hn::Add(v, v_x);
             }
         }
-        if (hn::AllFalse(p, hn::Or(hn::Lt(least_u, texels.u.least), hn::Lt(least_v, texels.v.least)))) continue;
-        Again again(canvas, b, t, false);
+        if (least.is_sure(texels)) continue;
         if (!rows_again(p, b, t, row, count, rows, again, !ties_known, canvas, texels)) {
             texels = Texels<Tag, kAddressing>(canvas, b, t, u_doubt, v_doubt, again.half_gaps());
             ties_known = true, row -= kBatch, samples = before;

@@ -90,9 +90,9 @@ struct PerspectiveRow {
 
 /// Every texel of some rows in double: float32 cannot tell any.
 template <bool kDepth>
-HWY_NOINLINE void rows_in_double(const Batch& b, int t, int row, int count, const Rows& rows, const Canvas& canvas) {
+HWY_NOINLINE void rows_in_double(const Batch& b, int t, int row, int count, const Rows& rows, Again& again,
+                                 const Canvas& canvas) {
     const hn::CappedTag<uint32_t, 4> p;
-    Again again(canvas, b, t, true);
     for (int n = 0; n < count; ++n)
         for (int x = rows.x0.at[n]; x < rows.x1.at[n]; ++x) {
             if constexpr (kDepth) {
@@ -125,11 +125,11 @@ template <Addressing kAddressing, bool kDepth, bool kCertain, class Tag>
 HWY_NOINLINE void draw_perspective(Tag p, const Batch& b, int t, const Canvas& canvas) {
     const hn::Rebind<float, Tag> f;
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
-    const auto all = hn::Set(p, ~0U);
     const auto lanes = hn::Iota(f, 0.0F);
     const int last_column = b.column1.at[t];
     const std::ptrdiff_t pitch = canvas.target.pitch;
     uint64_t samples = 0;
+    Again again(canvas, b, t, true);
     HalfGaps gaps;
     bool ties_known = false;
     for (int band = b.column0.at[t]; band < last_column; band += kBand)
@@ -146,55 +146,36 @@ HWY_NOINLINE void draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
                 samples += static_cast<uint64_t>(std::max(0, rows.x1.at[n] - rows.x0.at[n]));
             const Texels<Tag, kAddressing> texels(canvas, b, t, slope.u_doubt, slope.v_doubt, gaps);
             if (!texels.fits()) {
-                rows_in_double<kDepth>(b, t, row, count, rows, canvas);
+                rows_in_double<kDepth>(b, t, row, count, rows, again, canvas);
                 continue;
             }
             bias(u_first, texels.u.bias, rows.u), bias(v_first, texels.v.bias, rows.v);
-            auto least_u = all, least_v = all, u = all, v = all;
-            uint32_t* line = canvas.target.pixels + row * pitch;
-            for (int n = 0; n < count; ++n, line += pitch) {
-                const int x0 = rows.x0.at[n];
-                int left = rows.x1.at[n] - x0;
+            Least<Tag> least;
+            auto u = hn::Zero(p), v = u;
+            for (int n = 0, y = row; n < count; ++n, ++y) {
+                int x = rows.x0.at[n], left = rows.x1.at[n] - x;
                 if (left <= 0) continue;
                 const PerspectiveRow<Tag> along(rows, slope, n);
+                [[maybe_unused]] const DepthRow<Tag> depth(b, t, y);
                 auto i = lanes;
-                if constexpr (kDepth) {
-                    const DepthRow<Tag> depth(b, t, row + n);
-                    Again again(canvas, b, t, true);
-                    float* const z = canvas.target.depth + (row + n) * pitch;
-                    for (int x = x0; left > 0; left -= kLanes, x += kLanes, i = hn::Add(i, hn::Set(f, kLanes))) {
+                for (; left > 0; left -= kLanes, x += kLanes, i = hn::Add(i, hn::Set(f, kLanes))) {
+                    if constexpr (kDepth) {
                         const auto in = hn::FirstN(p, static_cast<size_t>(left));
-                        const auto nearer = pass_depth(depth, x, row + n, in, z, again);
+                        const auto nearer = pass_depth(depth, x, y, in, canvas.target.depth + y * pitch, again);
                         if (hn::AllFalse(p, nearer)) continue;
                         along.at(i, u, v);
-                        store_some(texels.fetch(u, v), nearer, p, line + x);
-                        if (const auto unsure = hn::And(nearer, texels.unsure(u, v)); !hn::AllFalse(p, unsure))
-                            mend(p, again, x, row + n, unsure, false, canvas);
-                    }
-                    continue;
-                }
-                uint32_t* out = line + x0;
-                for (; left > 0; left -= kLanes, out += kLanes, i = hn::Add(i, hn::Set(f, kLanes))) {
-                    along.at(i, u, v);
-                    const auto got = texels.fetch(u, v);
-                    if (left >= kLanes) {
-                        hn::StoreU(got, p, out);
-                        if constexpr (kCertain)
-                            least_u = hn::Min(least_u, texels.u.rest(u)), least_v = hn::Min(least_v, texels.v.rest(v));
-                        continue;
-                    }
-                    const auto in = hn::FirstN(p, static_cast<size_t>(left));
-                    store_some(got, in, p, out);
-                    if constexpr (kCertain) {
-                        least_u = hn::Min(least_u, hn::IfThenElse(in, texels.u.rest(u), all));
-                        least_v = hn::Min(least_v, hn::IfThenElse(in, texels.v.rest(v), all));
+                        put_nearer(p, texels, u, v, x, y, nearer, again, canvas);
+                    } else {
+                        along.at(i, u, v);
+                        uint32_t* const out = canvas.target.pixels + y * pitch + x;
+                        if (left >= kLanes)
+                            put_all<kCertain>(p, texels, u, v, out, least);
+                        else
+                            put_some<kCertain>(p, texels, u, v, left, out, least);
                     }
                 }
             }
-            if (kDepth || !kCertain ||
-                hn::AllFalse(p, hn::Or(hn::Lt(least_u, texels.u.least), hn::Lt(least_v, texels.v.least))))
-                continue;
-            Again again(canvas, b, t, true);
+            if (kDepth || !kCertain || least.is_sure(texels)) continue;
             if (!perspective_again(p, row, count, rows, slope, again, !ties_known, canvas, texels))
                 gaps = again.half_gaps(), ties_known = true, row -= kBatch, samples = before;
         }

@@ -50,6 +50,12 @@ struct Batch {
     Eight u_far, v_far;              ///< bound of what double has lost of u and v [units]
     PlaneEight z;
     Eight z_unsure;  ///< bound of what double has lost of z
+
+    /// Of the triangles in the lanes from `lane` on.
+    [[nodiscard]] HWY_INLINE bool any_flat(int lane) const {
+        const Index d;
+        return !hn::AllFalse(d, hn::Ne(hn::Load(d, flat.at + lane), hn::Zero(d)));
+    }
 };
 
 /// Whether the coordinate is a multiple of 2^-8 below 2^13.
@@ -233,7 +239,7 @@ HWY_INLINE V rounded_plane(V a0, V a1, V a2, const Shape& s, PlaneEight& out, in
     return hn::Mul(hn::Add(grown, reach), hn::Set(d, 10 * kUlp));
 }
 
-/// Returns which w are finite and positive.
+/// Returns where u, v and w are finite, and w is positive.
 HWY_INLINE hn::Mask<Real> set_up_perspective(const float* base, hn::Vec<Index> index, const Shape& s,
                                              const Canvas& canvas, Batch& batch, int lane) {
     const Real d;
@@ -242,9 +248,11 @@ HWY_INLINE hn::Mask<Real> set_up_perspective(const float* base, hn::Vec<Index> i
     store_int(hn::IfThenElseZero(flat, one), batch.flat, lane);
     const V i0 = hn::Div(one, w0), i1 = hn::Div(one, w1), i2 = hn::Div(one, w2), least = least_of(i0, i1, i2);
     const V one_error = rounded_plane(i0, i1, i2, s, batch.one, lane);
+    V nothing = hn::Zero(d);
     const auto over = [&](int offset, EightInt& shift, PlaneEight& out, Eight& far) HWY_ATTR {
         const Real r;
         V a0 = field(base, index, offset), a1 = field(base, index, offset + 6), a2 = field(base, index, offset + 12);
+        nothing = hn::Add(nothing, nothing_of(a0, a1, a2));
         const V unit = unit_of(a0, a1, a2, canvas, offset == 4, shift, lane);
         a0 = hn::Mul(a0, unit), a1 = hn::Mul(a1, unit), a2 = hn::Mul(a2, unit);
         const V error = rounded_plane(hn::Mul(a0, i0), hn::Mul(a1, i1), hn::Mul(a2, i2), s, out, lane);
@@ -258,7 +266,8 @@ HWY_INLINE hn::Mask<Real> set_up_perspective(const float* base, hn::Vec<Index> i
     };
     over(4, batch.u.shift, batch.u_over, batch.u_far);
     over(5, batch.v.shift, batch.v_over, batch.v_far);
-    return hn::And(hn::Gt(least_of(w0, w1, w2), hn::Zero(d)), hn::Eq(nothing_of(w0, w1, w2), hn::Zero(d)));
+    nothing = hn::Add(nothing, nothing_of(w0, w1, w2));
+    return hn::And(hn::Gt(least_of(w0, w1, w2), hn::Zero(d)), hn::Eq(nothing, hn::Zero(d)));
 }
 
 HWY_INLINE void set_up_tiny(const Corners& p, const Shape& s, V c0, V r0, hn::Mask<Real> coarse, Batch& batch,
@@ -322,10 +331,12 @@ HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
         s.most_x = hn::Max(hn::Abs(s.dx), hn::Abs(hn::Add(s.dx, s.width)));
         s.most_y = hn::Max(hn::Abs(s.dy), hn::Abs(hn::Add(s.dy, hn::Sub(r1, r0))));
         store_int(hn::IfThenElseZero(hn::Gt(s.area, hn::Zero(d)), hn::Set(d, 1.0)), batch.front, lane);
-        V nothing = hn::Add(coordinate(base, index, 4, s, canvas, batch.u, lane),
-                            coordinate(base, index, 5, s, canvas, batch.v, lane));
+        V nothing = hn::Zero(d);
         auto good = hn::Eq(half, half);
         if (canvas.job->perspective) good = set_up_perspective(base, index, s, canvas, batch, lane);
+        if (!canvas.job->perspective || batch.any_flat(lane))
+            nothing = hn::Add(coordinate(base, index, 4, s, canvas, batch.u, lane),
+                              coordinate(base, index, 5, s, canvas, batch.v, lane));
         if (canvas.job->depth) {
             const V z0 = field(base, index, 2), z1 = field(base, index, 8), z2 = field(base, index, 14);
             const V unsure = plane(z0, z1, z2, s, hn::Set(d, 1.0), batch.z, lane);

@@ -129,6 +129,45 @@ private:
     }
 };
 
+/// The least of what follows the texels' bits: whether some texel may be wrong, found out once for many.
+template <class Tag>
+struct Least {
+    hn::Vec<Tag> u, v;
+
+    HWY_INLINE Least() { u = v = hn::Set(Tag{}, ~0U); }
+    template <Addressing kAddressing>
+    HWY_INLINE void see(const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> at_u, hn::Vec<Tag> at_v) {
+        u = hn::Min(u, texels.u.rest(at_u)), v = hn::Min(v, texels.v.rest(at_v));
+    }
+    template <Addressing kAddressing>
+    HWY_INLINE void see(const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> at_u, hn::Vec<Tag> at_v,
+                        hn::Mask<Tag> in) {
+        const auto all = hn::Set(Tag{}, ~0U);
+        u = hn::Min(u, hn::IfThenElse(in, texels.u.rest(at_u), all));
+        v = hn::Min(v, hn::IfThenElse(in, texels.v.rest(at_v), all));
+    }
+    template <Addressing kAddressing>
+    [[nodiscard]] HWY_INLINE bool is_sure(const Texels<Tag, kAddressing>& texels) const {
+        return hn::AllFalse(Tag{}, hn::Or(hn::Lt(u, texels.u.least), hn::Lt(v, texels.v.least)));
+    }
+};
+
+/// Stores the texels of as many pixels as there are lanes.
+template <bool kCertain, Addressing kAddressing, class Tag>
+HWY_INLINE void put_all(Tag p, const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> u, hn::Vec<Tag> v, uint32_t* out,
+                        Least<Tag>& least) {
+    hn::StoreU(texels.fetch(u, v), p, out);
+    if constexpr (kCertain) least.see(texels, u, v);
+}
+/// Of the first `count` of them.
+template <bool kCertain, Addressing kAddressing, class Tag>
+HWY_INLINE void put_some(Tag p, const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> u, hn::Vec<Tag> v, int count,
+                         uint32_t* out, Least<Tag>& least) {
+    const auto in = hn::FirstN(p, static_cast<size_t>(count));
+    store_some(texels.fetch(u, v), in, p, out);
+    if constexpr (kCertain) least.see(texels, u, v, in);
+}
+
 /// One texel as `Texels::fetch` gives it.
 HWY_INLINE uint32_t texel_at(const Canvas& canvas, uint32_t place) {
     const uint32_t texel = canvas.texture.texels[place];

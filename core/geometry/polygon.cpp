@@ -1,5 +1,6 @@
 #include "core/geometry/polygon.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -37,11 +38,12 @@ bool is_finite(const Vertex& vertex) noexcept {
     return true;
 }
 
+bool is_drawable(const Vertex& vertex) noexcept { return is_finite(vertex) && vertex.w > 0; }
+
 bool is_drawable(const Polygon& polygon) noexcept {
     if (polygon.vertices.size() < 3 || !std::isfinite(polygon.light)) return false;
-    for (const Vertex& vertex : polygon.vertices)
-        if (!is_finite(vertex) || vertex.w <= 0) return false;
-    return true;
+    return std::all_of(polygon.vertices.begin(), polygon.vertices.end(),
+                       [](const Vertex& v) { return is_drawable(v); });
 }
 
 std::string polygon_fault(const Polygon& polygon) {

@@ -10,6 +10,8 @@ namespace texelscope {
 
 /// All six numbers of the corner are finite.
 [[nodiscard]] bool is_finite(const Vertex& vertex) noexcept;
+/// They are, and w > 0.
+[[nodiscard]] bool is_drawable(const Vertex& vertex) noexcept;
 
 /// Why the polygon draws nothing, or an empty text if it can be drawn: fewer than three corners, a number that is not
 /// finite, or w <= 0. Every drawing loop skips a polygon that has a fault.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/exact/triangle.h"
+#include "core/measure/timing.h"
 #include "core/method/barycentric.h"
 
 namespace texelscope {
@@ -36,12 +37,6 @@ struct Place {
     const double size = kFrontTexture, u = approximate(place);
     const double above = u - texel - size * std::floor((u - texel) / size);  // [0, size): beyond its first side
     return std::min(above - 1, size - above);
-}
-
-[[nodiscard]] double median_of(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t n = values.size();
-    return n == 0 ? 0 : (values[(n - 1) / 2] + values[n / 2]) / 2;
 }
 
 }  // namespace

@@ -4,16 +4,12 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include "core/geometry/polygon.h"
 
 namespace texelscope {
 namespace {
 
 constexpr int kTexelBits = 30;  ///< of the scale that the exact triangle takes as an int
-
-[[nodiscard]] bool is_drawable(const Vertex& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.u) && std::isfinite(v.v) && std::isfinite(v.w) &&
-           v.w > 0;
-}
 
 /// So many bits behind the point that the largest coordinate keeps below 2^61.
 [[nodiscard]] int bits_for(std::span<const Vertex, 3> corners, float Vertex::*a) {
@@ -38,7 +34,7 @@ constexpr int kTexelBits = 30;  ///< of the scale that the exact triangle takes 
 
 std::vector<DecidedSample> decided_samples(std::span<const Vertex, 3> corners, const Rect& frame) {
     std::vector<DecidedSample> samples;
-    if (!std::all_of(corners.begin(), corners.end(), is_drawable)) return samples;
+    if (!std::all_of(corners.begin(), corners.end(), [](const Vertex& v) { return is_drawable(v); })) return samples;
     const ExactTriangle triangle(corners);
     if (triangle.winding() == 0) return samples;
     const auto [low, high] = std::minmax({corners[0].y, corners[1].y, corners[2].y});

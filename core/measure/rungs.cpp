@@ -8,6 +8,7 @@
 
 #include "core/base/assert.h"
 #include "core/exact/triangle.h"
+#include "core/image/packed.h"
 #include "core/image/patterns.h"
 #include "core/measure/bill.h"
 #include "core/measure/rung_kernels.h"
@@ -106,10 +107,6 @@ constexpr std::array<Variant, 3> kNamed{{
     return all;
 }
 
-[[nodiscard]] std::uint32_t packed(const Rgb& c) {
-    return std::uint32_t{c.r} | std::uint32_t{c.g} << 8U | std::uint32_t{c.b} << 16U;
-}
-
 }  // namespace
 
 std::string_view id_of(RungKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
@@ -121,19 +118,12 @@ const std::vector<Rung>& rungs() {
 const Rung* find_rung(std::string_view id) { return find_in(rungs(), id); }
 
 RungStage::RungStage(FrontScene scene)
-    : scene_(std::move(scene)), picture_(scene_.frame.width(), scene_.frame.height()), at_origin_(scene_.vertices) {
+    : scene_(std::move(scene)), picture_(scene_.frame.width(), scene_.frame.height()) {
     texture_.texels = make_pattern(Pattern::address, kFrontTexture, kFrontTexture, kMark);
-    texels_.resize(texture_.texels.size());
-    std::transform(texture_.texels.data(), texture_.texels.data() + texels_.size(), texels_.begin(), packed);
+    texels_ = packed(texture_.texels, kFrontTexture + kPadding);
     pixels_.resize(static_cast<std::size_t>(picture_.width() + kPadding) * static_cast<std::size_t>(picture_.height()));
-    const auto x0 = static_cast<float>(scene_.frame.x0), y0 = static_cast<float>(scene_.frame.y0);
-    for (Vertex& corner : at_origin_) {
-        [[maybe_unused]] const Vertex before = corner;
-        corner.x -= x0, corner.y -= y0;  // exact: a window's coordinates are multiples of what its origin is one of
-        TEXELSCOPE_ASSERT(double{corner.x} + x0 == before.x && double{corner.y} + y0 == before.y);
-        corner.u /= kFrontTexture, corner.v /= kFrontTexture;
-        perspective_ = perspective_ || corner.w != at_origin_.front().w;
-    }
+    const std::vector<Vertex>& corners = scene_.vertices;
+    perspective_ = std::any_of(corners.begin(), corners.end(), [&](const Vertex& c) { return c.w != corners[0].w; });
 }
 
 std::size_t RungStage::count(const Rung& rung) const {
@@ -161,16 +151,21 @@ void RungStage::draw_exact(std::size_t triangle) {
 
 void RungStage::draw_fast(std::span<const Vertex> vertices) {
     const int width = picture_.width(), height = picture_.height();
-    const RasterTarget target{pixels_.data(), width + kPadding, width, height};
-    const RasterTexture texture{texels_.data(), kFrontTexture, kFrontTexture};
-    const RasterJob job{vertices, kFrontTexture, kFrontTexture, perspective_, false};
+    const RasterTarget target{.pixels = pixels_.data(),
+                              .pitch = width + kPadding,
+                              .width = width,
+                              .height = height,
+                              .x0 = scene_.frame.x0,
+                              .y0 = scene_.frame.y0};
+    const RasterTexture texture{texels_.data(), kFrontTexture, kFrontTexture, Wrap::repeat, kFrontTexture + kPadding};
+    const RasterJob job{.vertices = vertices, .perspective = perspective_};
     RasterCounters counters;
     texelscope::draw(target, texture, job, {}, counters);
 }
 
 void RungStage::draw(const Rung& rung) {
     const std::size_t triangles = count(rung);
-    if (rung.kind == RungKind::fast) return draw_fast(std::span(at_origin_).first(3 * triangles));
+    if (rung.kind == RungKind::fast) return draw_fast(std::span(scene_.vertices).first(3 * triangles));
     for (std::size_t n = 0; n < triangles; ++n) {
         if (rung.kind == RungKind::exact) {
             draw_exact(n);
@@ -187,7 +182,7 @@ void RungStage::draw(const Rung& rung) {
 void RungStage::samples_of_pixels(std::size_t triangle, const Put& put) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     const Rect& frame = scene_.frame;
-    const std::span<const Vertex> one = std::span(at_origin_).subspan(3 * triangle, 3);
+    const std::span<const Vertex> one = std::span(scene_.vertices).subspan(3 * triangle, 3);
     std::fill(pixels_.begin(), pixels_.end(), 0);
     draw_fast(one);
     const std::uint32_t* pixel = pixels_.data();

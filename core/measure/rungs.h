@@ -67,7 +67,6 @@ private:
     Texture texture_;
     Image picture_;
     bool perspective_ = false;
-    std::vector<Vertex> at_origin_;               ///< as fast takes them: the frame's top left is (0, 0), u in repeats
     std::vector<std::uint32_t> texels_, pixels_;  ///< fast's texture and target
 };
 

@@ -20,7 +20,7 @@ using Samples = std::vector<DecidedSample>;
 [[nodiscard]] inline std::size_t triangles_of(const HardShape& shape) { return shape.vertices.size() / 3; }
 
 [[nodiscard]] inline bool is_drawable(std::span<const Vertex> corners) {
-    return std::all_of(corners.begin(), corners.end(), [](const Vertex& v) { return is_finite(v) && v.w > 0; });
+    return std::all_of(corners.begin(), corners.end(), [](const Vertex& v) { return is_drawable(v); });
 }
 
 [[nodiscard]] inline HardShape shape_at(const Family& family, StressMode mode, std::uint64_t seed, int n) {

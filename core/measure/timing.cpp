@@ -1,6 +1,7 @@
 #include "core/measure/timing.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -8,12 +9,16 @@
 
 namespace texelscope {
 
+double median_of(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t n = values.size();
+    return n == 0 ? 0 : (values[(n - 1) / 2] + values[n / 2]) / 2;
+}
+
 Timing timing_of(std::vector<double> milliseconds) {
     TEXELSCOPE_ASSERT(!milliseconds.empty());
-    std::sort(milliseconds.begin(), milliseconds.end());
-    const std::size_t middle = milliseconds.size() / 2;
-    const double below = milliseconds[milliseconds.size() % 2 == 0 ? middle - 1 : middle];
-    return {.median_ms = (below + milliseconds[middle]) / 2, .least_ms = milliseconds.front()};
+    const double least = *std::min_element(milliseconds.begin(), milliseconds.end());
+    return {.median_ms = median_of(std::move(milliseconds)), .least_ms = least};
 }
 
 std::string timing_line(const TimedWork& work, const Timing& timing) {

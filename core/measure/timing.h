@@ -8,10 +8,13 @@
 
 namespace texelscope {
 
+/// Of an even number the mean of the middle two. 0 where there is none.
+[[nodiscard]] double median_of(std::vector<double> values);
+
 struct Timing {
     double median_ms = 0, least_ms = 0;
 };
-/// Of an even number the mean of the middle two. Requires at least one.
+/// Requires at least one.
 [[nodiscard]] Timing timing_of(std::vector<double> milliseconds);
 
 /// What one drawing draws.

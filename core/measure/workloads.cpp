@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <random>
 #include <utility>
 
 #include <glm/glm.hpp>
@@ -12,6 +11,7 @@
 #include "core/exact/triangle.h"
 #include "core/geometry/snap.h"
 #include "core/image/image.h"
+#include "core/measure/dice.h"
 
 namespace texelscope {
 namespace {
@@ -20,31 +20,10 @@ constexpr int kSide = 1024, kTexture = 256;
 constexpr float kScreen = kSide;
 constexpr int kGridBits = 8;
 
-/// The standard's engines give the same numbers everywhere; its distributions do not, nor do sine and cosine.
-class Dice {
-public:
-    explicit Dice(std::uint64_t seed) : engine_(seed) {}
-    [[nodiscard]] float within(float low, float high) {
-        return low + (high - low) * (static_cast<float>(engine_() >> 40) / 16777216.0F);
-    }
-    [[nodiscard]] glm::vec2 place(float margin) {
-        const float x = within(margin, kScreen - margin);
-        return {x, within(margin, kScreen - margin)};
-    }
-    /// Of length 1, any way with the same chance.
-    [[nodiscard]] glm::vec2 direction() {
-        while (true) {
-            const float x = within(-1, 1);
-            const glm::vec2 p{x, within(-1, 1)};
-            const float square = p.x * p.x + p.y * p.y;
-            if (square > .01F && square <= 1) return p / std::sqrt(square);
-        }
-    }
-    [[nodiscard]] bool chance(float share) { return within(0, 1) < share; }
-
-private:
-    std::mt19937_64 engine_;
-};
+/// Anywhere on the screen but for its margin.
+[[nodiscard]] glm::vec2 on_screen(Dice& dice, float margin) {
+    return dice.place(glm::vec2(margin), glm::vec2(kScreen - margin));
+}
 
 [[nodiscard]] TrianglesFile screen(std::uint64_t seed) {
     return {.width = kSide, .height = kSide, .texture_width = kTexture, .texture_height = kTexture, .seed = seed};
@@ -55,7 +34,7 @@ class Laid {
 public:
     explicit Laid(Dice& dice) : along_(dice.direction() / float{kTexture}) {
         along_ *= dice.within(.7F, 1.4F);  // apart: compilers differ in which of two operands they throw first
-        offset_ = dice.place(0) / float{kTexture};
+        offset_ = on_screen(dice, 0) / float{kTexture};
     }
     [[nodiscard]] glm::vec2 at(glm::vec2 p) const {
         return offset_ + glm::vec2(along_.x * p.x - along_.y * p.y, along_.y * p.x + along_.x * p.y);
@@ -90,7 +69,7 @@ void add(TrianglesFile& file, Dice& dice, const std::array<glm::vec2, 3>& corner
 [[nodiscard]] TrianglesFile at_random(std::uint64_t seed, int count, float area) {
     Dice dice(seed);
     TrianglesFile file = screen(seed);
-    for (int n = 0; n < count; ++n) add(file, dice, around(dice, dice.place(std::sqrt(area)), area));
+    for (int n = 0; n < count; ++n) add(file, dice, around(dice, on_screen(dice, std::sqrt(area)), area));
     return file;
 }
 
@@ -133,7 +112,7 @@ void add(TrianglesFile& file, Dice& dice, const std::array<glm::vec2, 3>& corner
     Dice dice(seed);
     TrianglesFile file = screen(seed);
     for (int n = 0; n < 20'000; ++n) {
-        const glm::vec2 way = dice.direction(), across{-way.y, way.x}, middle = dice.place(0);
+        const glm::vec2 way = dice.direction(), across{-way.y, way.x}, middle = on_screen(dice, 0);
         const float length = dice.within(600, dice.chance(.2F) ? 8000 : 1400), width = dice.within(.5F, 3);
         const float start = dice.within(-.7F, -.3F) * length;
         add(file, dice, {middle + way * start, middle + way * start + across * width, middle + way * (start + length)});
@@ -151,21 +130,21 @@ void add(TrianglesFile& file, Dice& dice, const std::array<glm::vec2, 3>& corner
         const auto corners = around(dice, middle, area);
         add(file, dice, corners, dice.within(low, high));
     };
-    for (int n = 0; n < kWalls; ++n) put(dice.place(0), 30'000, .3F, .4F);
+    for (int n = 0; n < kWalls; ++n) put(on_screen(dice, 0), 30'000, .3F, .4F);
     for (int n = kWalls; n < kAll; ++n) {
         const float kind = dice.within(0, 1);
         if (kind < .1F) {  // seen, in front of the walls
-            put(dice.place(4), 10, .05F, .25F);
+            put(on_screen(dice, 4), 10, .05F, .25F);
         } else if (kind < .35F) {  // behind them
-            put(dice.place(8), 30, .5F, .9F);
+            put(on_screen(dice, 8), 30, .5F, .9F);
         } else if (kind < .6F) {  // from the back
-            put(dice.place(8), 30, .05F, .9F);
+            put(on_screen(dice, 8), 30, .05F, .9F);
             std::swap(file.vertices.back(), file.vertices[file.vertices.size() - 2]);
         } else if (kind < .8F) {  // off the screen
             const glm::vec2 aside{dice.chance(.5F) ? kScreen + 20 : -kScreen - 20, 0};
-            put(dice.place(0) + aside, 30, .05F, .9F);
+            put(on_screen(dice, 0) + aside, 30, .05F, .9F);
         } else {  // no sample inside
-            put(glm::floor(dice.place(4)), .05F, .05F, .9F);
+            put(glm::floor(on_screen(dice, 4)), .05F, .05F, .9F);
         }
     }
     return file;

@@ -165,21 +165,27 @@ Rect Drawing::reach(int shape) const {
 bool Drawing::touches(int shape, const Rect& rect) const { return !intersection(reach(shape), rect).empty(); }
 
 Image render(const Drawing& drawing) {
+    const Framebuffer& frame = drawing.scene().framebuffer;
+    Image picture(frame.width, frame.height, frame.clear);
+    draw_into(drawing, picture);
+    return picture;
+}
+
+void draw_into(const Drawing& drawing, Image& picture) {
     const Scene& scene = drawing.scene();
     const Rect frame = scene.framebuffer.rect();
-    Image picture(frame.width(), frame.height(), scene.framebuffer.clear);
+    TEXELSCOPE_ASSERT(picture.width() == frame.width() && picture.height() == frame.height());
     const auto draw_sample = [&](int shape, const Sample& s) {
         if (s.fate != Fate::written) return;
         Rgb& pixel = picture.at(static_cast<int>(s.x) - frame.x0, static_cast<int>(s.y) - frame.y0);
         pixel = blended(pixel, s.colour, drawing.is_half(shape));
     };
     if (scene.depth == Depth::less) {
-        each_sample(drawing, 0, drawing.shape_count(), {frame, 1}, draw_sample);
-        return picture;
+        return each_sample(drawing, 0, drawing.shape_count(), {frame, 1}, draw_sample);
     }
     const Shortcut* const shortcut = shortcut_of(*drawing.settings().method);
     if (shortcut != nullptr && shortcut->picture != nullptr && !drawing.has_half())
-        return shortcut->picture(drawing, picture), picture;
+        return shortcut->picture(drawing, picture);
     for (int n = 0; n < drawing.shape_count(); ++n) {
         if (drawing.refusal(n) != Fate::written || !drawing.touches(n, frame)) continue;
         if (drawing.is_half(n))
@@ -187,7 +193,6 @@ Image render(const Drawing& drawing) {
         else
             drawing.settings().method->render(drawing.settings().format, drawing.job(n), picture);
     }
-    return picture;
 }
 
 void each_sample(const Drawing& drawing, int first, int last, const Window& window, const PutInShape& put) {

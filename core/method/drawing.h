@@ -66,6 +66,8 @@ private:
 
 /// The whole picture.
 [[nodiscard]] Image render(const Drawing& drawing);
+/// The same over what stands in `picture`, which is as large as the frame.
+void draw_into(const Drawing& drawing, Image& picture);
 
 using PutInShape = std::function<void(int shape, const Sample&)>;
 /// Every sample of shapes [first, last) inside the window, in drawing order, the depth test applied (it needs

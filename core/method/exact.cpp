@@ -57,19 +57,7 @@ Fate paint(NumberFormat, const Job& job, const Window& part, int shape, Layer& l
     return paint_exactly(job, part, shape, layer);
 }
 
-constexpr Method kMethod{
-    .id = "exact",
-    .title = "Exact",
-    .source = "S4",
-    .listing = kDefinitionListing,
-    .quirks = {},
-    .variants = kOnlyCorrected,
-    .render = render,
-    .paint = paint,
-    .samples = samples_by_definition,
-    .until = until_by_definition,
-    .visit = visit_by_definition,
-};
+constexpr Method kMethod = shown_by_definition({.id = "exact", .title = "Exact", .render = render, .paint = paint});
 const RegisterMethod kRegistered(kMethod);
 constexpr Shortcut kShortcut{&kMethod, kDefinition};
 const RegisterShortcut kRegisteredShortcut(kShortcut);

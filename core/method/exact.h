@@ -31,4 +31,11 @@ Visit visit_by_definition(NumberFormat format, const Job& job, const Path& path)
 inline constexpr std::string_view kDefinition = "barycentric", kDefinitionListing = "core/method/barycentric.h";
 inline constexpr std::array<VariantInfo, 1> kOnlyCorrected{{{"corrected", 0}}};
 
+/// The method, which has its name and how it draws, filled in with what it shows.
+[[nodiscard]] constexpr Method shown_by_definition(Method method) {
+    method.source = "S4", method.listing = kDefinitionListing, method.variants = kOnlyCorrected;
+    method.samples = samples_by_definition, method.until = until_by_definition, method.visit = visit_by_definition;
+    return method;
+}
+
 }  // namespace texelscope

@@ -117,19 +117,7 @@ void picture(const Drawing& drawing, Image& picture) {
     finish();
 }
 
-constexpr Method kMethod{
-    .id = "fast",
-    .title = "Fast",
-    .source = "S4",
-    .listing = kDefinitionListing,
-    .quirks = {},
-    .variants = kOnlyCorrected,
-    .render = render,
-    .paint = paint,
-    .samples = samples_by_definition,
-    .until = until_by_definition,
-    .visit = visit_by_definition,
-};
+constexpr Method kMethod = shown_by_definition({.id = "fast", .title = "Fast", .render = render, .paint = paint});
 const RegisterMethod kRegistered(kMethod);
 constexpr Shortcut kShortcut{&kMethod, kDefinition, picture};
 const RegisterShortcut kRegisteredShortcut(kShortcut);

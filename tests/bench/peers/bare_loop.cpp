@@ -13,9 +13,10 @@
 #include "core/scene/triangles_scene.h"
 #include "tests/bench/peers/peer.h"
 
+#include "core/fast/targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/bench/peers/bare_loop.cpp"
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

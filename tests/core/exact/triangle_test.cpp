@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
 #include <map>
 
+#include "core/measure/reference.h"
 #include "core/number/exact.h"
 #include "tests/core/method/cases.h"
 
@@ -18,17 +18,6 @@ const Rect kFrame{-6, -5, 11, 9};
 constexpr int kTriangles = 700;
 
 using Texels = std::map<std::pair<Integer, Integer>, std::pair<int, int>>;
-
-std::string text_of(std::span<const Vertex> corners) {
-    std::string text;
-    for (const Vertex& c : corners)
-        for (const float value : {c.x, c.y, c.z, c.w, c.u, c.v}) {
-            std::array<char, 40> digits{};
-            std::snprintf(digits.data(), digits.size(), "%aF, ", static_cast<double>(value));
-            text += digits.data();
-        }
-    return text;
-}
 
 Texels by_definition(std::span<const Vertex> corners, const Texture& texture) {
     Texels texels;

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "core/exact/triangle.h"
+#include "core/measure/reference.h"
 #include "tests/core/method/cases.h"
 
 namespace texelscope {
@@ -14,17 +14,6 @@ namespace {
 
 constexpr int kWidth = 75, kHeight = 52, kPitch = 80;
 constexpr std::uint32_t kClear = 0xFFFFFFFF;
-
-std::string text_of(std::span<const Vertex> corners) {
-    std::string text;
-    for (const Vertex& c : corners)
-        for (const float value : {c.x, c.y, c.z, c.w, c.u, c.v}) {
-            std::array<char, 40> digits{};
-            std::snprintf(digits.data(), digits.size(), "%aF, ", static_cast<double>(value));
-            text += digits.data();
-        }
-    return text;
-}
 
 /// Texels that are their own addresses.
 struct Addresses {
