@@ -48,14 +48,15 @@ HWY_INLINE void put_nearer(Tag p, const Texels<Tag, kAddressing>& texels, hn::Ve
         mend(p, again, x, y, unsure, false, canvas);
 }
 
-/// Rows [row, row + count), some texels of which are unsure. Returns as mend() does.
+/// The rows after `row` whose bits are set in `which`, some texels of which are unsure. Returns as mend() does.
 template <Addressing kAddressing, class Tag>
-HWY_NOINLINE bool rows_again(Tag p, const Batch& b, int t, int row, int count, const Rows& rows, Again& again,
+HWY_NOINLINE bool rows_again(Tag p, const Batch& b, int t, int row, uint32_t which, const Rows& rows, Again& again,
                              bool only_double, const Canvas& canvas, const Texels<Tag, kAddressing>& texels) {
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
     const auto u_x = hn::Set(p, static_cast<uint32_t>(b.u.step.at[t])),
                v_x = hn::Set(p, static_cast<uint32_t>(b.v.step.at[t]));
-    for (int n = 0; n < count; ++n) {
+    for (; which != 0; which &= which - 1) {
+        const int n = std::countr_zero(which);
         const auto u0 = hn::Set(p, static_cast<uint32_t>(rows.u.at[n])),
                    v0 = hn::Set(p, static_cast<uint32_t>(rows.v.at[n]));
         for (int x = rows.x0.at[n]; x < rows.x1.at[n]; x += kLanes) {
@@ -68,13 +69,12 @@ HWY_NOINLINE bool rows_again(Tag p, const Batch& b, int t, int row, int count, c
     return true;
 }
 
-/// The rows of one triangle, as many pixels at once as `Tag` has lanes. False: too much was in doubt, nothing is drawn.
-template <Addressing kAddressing, bool kDepth, bool kCertain, class Tag>
-HWY_NOINLINE bool draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) {
+/// The rows of one triangle, as many pixels at once as `Tag` has lanes. kWide: it is so wide that each row is asked
+/// whether it is sure, else some at once are.
+template <bool kWide, Addressing kAddressing, bool kDepth, bool kCertain, class Tag>
+HWY_NOINLINE void draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) {
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
-    const double u_doubt = b.u.doubt.at[t], v_doubt = b.v.doubt.at[t];
-    Texels<Tag, kAddressing> texels(canvas, b, t, u_doubt, v_doubt, {});
-    if (!texels.fits()) return false;
+    Texels<Tag, kAddressing> texels(canvas, b, t, certain_of(b, t));
     Again again(canvas, b, t, false);
     bool ties_known = false;
     const auto u_x = hn::Set(p, static_cast<uint32_t>(b.u.step.at[t])),
@@ -85,12 +85,13 @@ HWY_NOINLINE bool draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
     const Columns columns{b.column0.at[t], b.column1.at[t]};
     const std::ptrdiff_t pitch = canvas.target.pitch;
     uint64_t samples = 0;
-    for (int row = b.row0.at[t]; row < b.row1.at[t]; row += kBatch) {
+    for (int row = b.row0.at[t]; row < b.row1.at[t]; row += kRows) {
         Rows rows;
-        const int count = std::min(kBatch, b.row1.at[t] - row);
+        const int count = std::min(kRows, b.row1.at[t] - row);
         cross(b, t, row, count, columns, canvas, rows);
-        start(b, t, row, texels.u.bias, texels.v.bias, rows);
+        start(b, t, row, count, texels.u.bias, texels.v.bias, rows);
         Least<Tag> least;
+        uint32_t unsure = 0;
         const uint64_t before = samples;
         for (int n = 0, y = row; n < count; ++n, ++y) {
             int x = rows.x0.at[n], left = rows.x1.at[n] - x;
@@ -113,30 +114,31 @@ HWY_NOINLINE bool draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
                     u = hn::Add(u, u_step), v = hn::Add(v, v_step);
                 }
                 if (left > 0) put_some<kCertain>(p, texels, u, v, left, out, least);
+                if constexpr (kWide && kCertain)
+                    if (!least.is_sure(texels)) unsure |= 1U << n, least = {};
             }
         }
-        if (kDepth || !kCertain || least.is_sure(texels)) continue;
-        if (!rows_again(p, b, t, row, count, rows, again, !ties_known, canvas, texels)) {
+        if (!kWide && !kDepth && kCertain && !least.is_sure(texels)) unsure = (1U << count) - 1;
+        if (unsure == 0) continue;
+        if (!rows_again(p, b, t, row, unsure, rows, again, !ties_known, canvas, texels)) {
             // One that double cannot tell is rarely alone: these rows once more, past all ties.
-            texels = Texels<Tag, kAddressing>(canvas, b, t, u_doubt, v_doubt, again.half_gaps());
-            ties_known = true, row -= kBatch, samples = before;
+            texels = Texels<Tag, kAddressing>(
+                canvas, b, t, certain_of(canvas, b, t, b.u.doubt.at[t], b.v.doubt.at[t], again.half_gaps()));
+            ties_known = true, row -= kRows, samples = before;
         }
     }
     canvas.counters->samples += samples;
-    return true;
 }
 
 /// The same for a triangle whose rows have but a few pixels: the rows' first pixels side by side, then their second
 /// ones.
 template <Addressing kAddressing>
-HWY_NOINLINE bool draw_columns(const Batch& b, int t, const Canvas& canvas) {
+HWY_NOINLINE void draw_columns(const Batch& b, int t, const Canvas& canvas) {
     using Tag = hn::CappedTag<uint32_t, kBatch>;
     const Tag p;
     const hn::Rebind<int32_t, Tag> s;
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
-    const double u_doubt = b.u.doubt.at[t], v_doubt = b.v.doubt.at[t];
-    Texels<Tag, kAddressing> texels(canvas, b, t, u_doubt, v_doubt, {});
-    if (!texels.fits()) return false;
+    Texels<Tag, kAddressing> texels(canvas, b, t, certain_of(b, t));
     Again again(canvas, b, t, false);
     bool ties_known = false;
     const auto u_x = hn::Set(p, static_cast<uint32_t>(b.u.step.at[t])),
@@ -144,12 +146,12 @@ HWY_NOINLINE bool draw_columns(const Batch& b, int t, const Canvas& canvas) {
     const Columns columns{b.column0.at[t], b.column1.at[t]};
     const std::ptrdiff_t pitch = canvas.target.pitch;
     uint64_t samples = 0;
-    for (int row = b.row0.at[t]; row < b.row1.at[t]; row += kBatch) {
+    for (int row = b.row0.at[t]; row < b.row1.at[t]; row += kRows) {
         Rows rows;
-        const int count = std::min(kBatch, b.row1.at[t] - row);
+        const int count = std::min(kRows, b.row1.at[t] - row);
         cross(b, t, row, count, columns, canvas, rows);
-        for (int n = count; n < kBatch; ++n) rows.x1.at[n] = rows.x0.at[n];
-        start(b, t, row, texels.u.bias, texels.v.bias, rows);
+        start(b, t, row, count, texels.u.bias, texels.v.bias, rows);
+        for (int n = count; n % kLanes != 0; ++n) rows.x0.at[n] = rows.x1.at[n] = rows.u.at[n] = rows.v.at[n] = 0;
         Least<Tag> least;
         const uint64_t before = samples;
         for (int n = 0; n < count; n += kLanes) {
@@ -174,13 +176,13 @@ HWY_NOINLINE bool draw_columns(const Batch& b, int t, const Canvas& canvas) {
             }
         }
         if (least.is_sure(texels)) continue;
-        if (!rows_again(p, b, t, row, count, rows, again, !ties_known, canvas, texels)) {
-            texels = Texels<Tag, kAddressing>(canvas, b, t, u_doubt, v_doubt, again.half_gaps());
-            ties_known = true, row -= kBatch, samples = before;
+        if (!rows_again(p, b, t, row, (1U << count) - 1, rows, again, !ties_known, canvas, texels)) {
+            texels = Texels<Tag, kAddressing>(
+                canvas, b, t, certain_of(canvas, b, t, b.u.doubt.at[t], b.v.doubt.at[t], again.half_gaps()));
+            ties_known = true, row -= kRows, samples = before;
         }
     }
     canvas.counters->samples += samples;
-    return true;
 }
 
 }  // namespace HWY_NAMESPACE

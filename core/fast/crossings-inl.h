@@ -1,4 +1,4 @@
-// Where the rows of a triangle begin and end, eight rows at once. A row covers [ceil(left - 1/2), ceil(right - 1/2)).
+// Where the rows of a triangle begin and end, some at once. A row covers [ceil(left - 1/2), ceil(right - 1/2)).
 // On the coarse grid two crossings that differ from a sample do so by 2^-30 px or more, while double is off by less
 // than 3e-11: 2^-31 taken away before rounding up decides every tie. Elsewhere what lies within the bound of a sample
 // is decided again in 128 bits.
@@ -19,10 +19,10 @@ HWY_BEFORE_NAMESPACE();
 namespace texelscope {
 namespace HWY_NAMESPACE {
 
-/// Eight rows of one triangle.
+/// Some rows of one triangle, at most kRows.
 struct Rows {
-    EightInt x0, x1;
-    EightInt u, v;  ///< at x0, biased by their doubts [units]
+    OfRows<int32_t> x0, x1;
+    OfRows<int32_t> u, v;  ///< at x0, biased by their doubts [units]
 };
 
 /// The part of the target that rows are cut to.
@@ -55,12 +55,12 @@ HWY_NOINLINE void cross_again(const Batch& b, int t, int row, int count, const C
     }
 }
 
-/// u at eight rows' first pixels, moved by `bias`.
-HWY_INLINE void start(const CoordinateEight& u, int t, V right, V down, double bias, EightInt& to, int lane) {
+/// u at some rows' first pixels, moved by `bias`.
+HWY_INLINE void start(const CoordinateEight& u, int t, V right, V down, double bias, int32_t* to) {
     const Real d;
     const V at = hn::Set(d, u.plane.at.at[t] + bias);
     store_fraction(hn::MulAdd(right, hn::Set(d, u.plane.x.at[t]), hn::MulAdd(down, hn::Set(d, u.plane.y.at[t]), at)),
-                   to, lane);
+                   to);
 }
 
 /// Rows [row, row + count).
@@ -68,9 +68,9 @@ HWY_INLINE void cross(const Batch& b, int t, int row, int count, const Columns& 
                       Rows& rows) {
     const Real d;
     const double doubt = canvas.settings->certain ? b.cross_doubt.at[t] : 0, bias = doubt == 0 ? 0x1p-31 : 0;
-    const bool left = b.long_left.at[t] != 0;
+    const auto left = hn::Ne(hn::Set(d, b.long_left.at[t]), hn::Zero(d));
     bool again = false;
-    for (int lane = 0; lane < kBatch; lane += kReals) {
+    for (int lane = 0; lane < count; lane += kReals) {
         const V n = hn::Iota(d, row + lane), y = hn::Add(n, hn::Set(d, .5));
         const V below = hn::Sub(y, hn::Set(d, b.long_y.at[t]));
         const V far = hn::MulAdd(below, hn::Set(d, b.long_slope.at[t]), hn::Set(d, b.long_x.at[t]));
@@ -78,7 +78,8 @@ HWY_INLINE void cross(const Batch& b, int t, int row, int count, const Columns& 
         const V low =
             hn::MulAdd(hn::Sub(y, hn::Set(d, b.low_y.at[t])), hn::Set(d, b.low_slope.at[t]), hn::Set(d, b.low_x.at[t]));
         const V near = hn::IfThenElse(hn::Lt(n, hn::Set(d, b.row_mid.at[t])), top, low);
-        const V from = crossing(left ? far : near, columns, bias), to = crossing(left ? near : far, columns, bias);
+        const V from = crossing(hn::IfThenElse(left, far, near), columns, bias),
+                to = crossing(hn::IfThenElse(left, near, far), columns, bias);
         if (doubt != 0) {
             const auto close = [&](V x) HWY_ATTR {
                 return hn::Lt(hn::Abs(hn::Sub(x, hn::Round(x))), hn::Set(Real{}, doubt));
@@ -87,18 +88,18 @@ HWY_INLINE void cross(const Batch& b, int t, int row, int count, const Columns& 
             again = again || !hn::AllFalse(d, hn::And(hn::Or(close(from), close(to)), there));
         }
         const V first = hn::Ceil(from);
-        store_int(first, rows.x0, lane), store_int(hn::Ceil(to), rows.x1, lane);
+        store_int(first, rows.x0.at + lane), store_int(hn::Ceil(to), rows.x1.at + lane);
     }
     if (again) cross_again(b, t, row, count, columns, canvas, rows);
 }
 
 /// u and v where the rows begin, moved by their biases [units].
-HWY_INLINE void start(const Batch& b, int t, int row, double u_bias, double v_bias, Rows& rows) {
+HWY_INLINE void start(const Batch& b, int t, int row, int count, double u_bias, double v_bias, Rows& rows) {
     const Real d;
-    for (int lane = 0; lane < kBatch; lane += kReals) {
+    for (int lane = 0; lane < count; lane += kReals) {
         const V first = hn::PromoteTo(d, hn::Load(Index{}, rows.x0.at + lane));
         const V right = hn::Sub(first, hn::Set(d, b.column0.at[t])), down = hn::Iota(d, row + lane - b.row0.at[t]);
-        start(b.u, t, right, down, u_bias, rows.u, lane), start(b.v, t, right, down, v_bias, rows.v, lane);
+        start(b.u, t, right, down, u_bias, rows.u.at + lane), start(b.v, t, right, down, v_bias, rows.v.at + lane);
     }
 }
 

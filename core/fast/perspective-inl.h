@@ -1,5 +1,5 @@
-// Perspective in float32, relative to where a row (or 64 pixels of it) begins: there u_0 = N/D in double, and i pixels
-// further u = u_0 + i n / (1 + i d) with n = (N_x - u_0 D_x)/D and d = D_x/D. The whole part is gone, float32 is
+// Perspective in float32, relative to the middle of a row (or of 128 pixels of it): there u_0 = N/D in double, and i
+// pixels further u = u_0 + i n / (1 + i d) with n = (N_x - u_0 D_x)/D and d = D_x/D. The whole part is gone, float32 is
 // enough.
 #if defined(TEXELSCOPE_PERSPECTIVE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TEXELSCOPE_PERSPECTIVE_INL
@@ -14,54 +14,80 @@ HWY_BEFORE_NAMESPACE();
 namespace texelscope {
 namespace HWY_NAMESPACE {
 
-/// Eight rows of a triangle in perspective: how u and v go on from their first pixels.
+constexpr int kSegment = 256;  ///< so many pixels float32 carries u and v [px]
+
+/// Adding it rounds |value| < 2^22 to whole numbers, which then stand in float32's lowest bits.
+constexpr float kWholeFloat = 0x1.8p23F;
+
+/// How u or v goes on from the middles of some rows: i pixels further by i n / (1 + i d).
+struct Slope {
+    OfRows<float> n;        ///< [units]
+    OfRows<double> middle;  ///< [units]
+    int shift = 0;          ///< float32 counts in 2^shift units
+    float scale = 1;        ///< 2^-shift
+    double doubt = 0;       ///< FloatBound::doubt
+
+    HWY_INLINE void bound(double relative, double kappa, double far) {
+        const One d;
+        const FloatBound<One> bound(d, hn::Set(d, relative), hn::Set(d, kappa), hn::Set(d, far));
+        shift = static_cast<int>(hn::GetLane(bound.shift)), scale = static_cast<float>(hn::GetLane(bound.scale));
+        doubt = hn::GetLane(bound.doubt);
+    }
+};
 struct Slopes {
-    EightFloat u, v, one;  ///< numerators [2^6 units] and denominator for one pixel
-    double u_doubt = 0, v_doubt = 0;
+    OfRows<float> d, before;  ///< before: pixels from a row's first to its middle
+    Slope u, v;
 };
 
-constexpr int kBand = 64;  ///< so many pixels float32 carries u and v [px]
-
-/// @return  the most that u may be wrong in a row; `first` is u at the rows' beginnings [units].
-HWY_INLINE double slopes_of(const Batch& b, int t, int row, int count, const Rows& rows, const PlaneEight& p,
-                            double far, Eight& first, EightFloat& slope, EightFloat& one_slope) {
+/// The slopes of rows [row, row + count); with kBound how far they take u and v, too.
+template <bool kBound>
+HWY_INLINE void slopes_of(const Batch& b, int t, int row, int count, const Rows& rows, Slopes& slopes) {
     const Real d;
     const Narrow f;
-    V most = hn::Zero(d);
-    for (int lane = 0; lane < kBatch; lane += kReals) {
+    const V one = hn::Set(d, 1.0), column = hn::Set(d, b.column0.at[t]), d_x = hn::Set(d, b.one.x.at[t]);
+    V kappas = one, u_most = hn::Zero(d), v_most = u_most;
+    for (int lane = 0; lane < count; lane += kReals) {
         const V x0 = hn::PromoteTo(d, hn::Load(Index{}, rows.x0.at + lane)),
                 x1 = hn::PromoteTo(d, hn::Load(Index{}, rows.x1.at + lane));
-        const V right = hn::Sub(x0, hn::Set(d, b.column0.at[t])), down = hn::Iota(d, row + lane - b.row0.at[t]);
-        const V steps = hn::Max(hn::Sub(hn::Sub(x1, x0), hn::Set(d, 1.0)), hn::Zero(d));
-        const auto at = [&](const PlaneEight& q) HWY_ATTR {
+        const V length = hn::Sub(x1, x0), before = hn::Floor(hn::Mul(length, hn::Set(d, .5)));
+        const V right = hn::Sub(hn::Add(x0, before), column), down = hn::Iota(d, row + lane - b.row0.at[t]);
+        const auto at = [&](const PlaneEight& p) HWY_ATTR {
             const Real r;
-            return hn::MulAdd(right, hn::Set(r, q.x.at[t]),
-                              hn::MulAdd(down, hn::Set(r, q.y.at[t]), hn::Set(r, q.at.at[t])));
+            return hn::MulAdd(right, hn::Set(r, p.x.at[t]),
+                              hn::MulAdd(down, hn::Set(r, p.y.at[t]), hn::Set(r, p.at.at[t])));
         };
-        const V unit = hn::Set(d, 1.0), one = hn::Div(unit, at(b.one)), one_x = hn::Mul(hn::Set(d, b.one.x.at[t]), one);
-        const V inverse = hn::Div(unit, hn::MulAdd(steps, one_x, unit)), kappa = hn::Max(inverse, unit);
-        const V start = hn::Mul(at(p), one);
-        const V numerator = hn::Mul(
-            hn::Mul(hn::NegMulAdd(start, hn::Set(d, b.one.x.at[t]), hn::Set(d, p.x.at[t])), one), hn::Set(d, 0x1p-6));
-        // float32: two slopes, product, sum and quotient, each 2^-24 of it, the sum's more where the denominator
-        // shrinks; then one rounding to whole 2^6 units.
-        const V relative = hn::Abs(hn::Mul(hn::Mul(steps, numerator), inverse));
-        V doubt = hn::MulAdd(hn::Mul(relative, hn::Set(d, 0x1p-18)), hn::Add(hn::Set(d, 7.0), kappa),
-                             hn::Set(d, 64 * .6 + far + 3));
-        doubt = hn::IfThenElse(hn::Lt(relative, hn::Set(d, 0x1p30)), doubt, hn::Set(d, 0x1p40));
-        const auto there = hn::And(hn::Lt(x0, x1), hn::Lt(hn::Iota(d, lane), hn::Set(d, count)));
-        most = hn::Max(most, hn::IfThenElseZero(there, doubt));
-        hn::Store(start, d, first.at + lane);
-        hn::Store(hn::DemoteTo(f, numerator), f, slope.at + lane);
-        hn::Store(hn::DemoteTo(f, one_x), f, one_slope.at + lane);
+        const V inverse = hn::Div(one, at(b.one)), slope = hn::Mul(d_x, inverse);
+        const V u = hn::Mul(at(b.u_over), inverse), v = hn::Mul(at(b.v_over), inverse);
+        const V u_n = hn::Mul(hn::NegMulAdd(u, d_x, hn::Set(d, b.u_over.x.at[t])), inverse),
+                v_n = hn::Mul(hn::NegMulAdd(v, d_x, hn::Set(d, b.v_over.x.at[t])), inverse);
+        if constexpr (kBound) {
+            // 1 + i d is least at an end, and no pixel is farther from the middle than the first. Beyond the row it may
+            // be less than 0.
+            const auto there = hn::And(hn::Lt(x0, x1), hn::Lt(hn::Iota(d, lane), hn::Set(d, count)));
+            const V after = hn::Sub(hn::Sub(length, one), before);
+            const V kappa = hn::Div(one, hn::Min(hn::NegMulAdd(before, slope, one), hn::MulAdd(after, slope, one)));
+            const V reach = hn::IfThenElseZero(there, hn::Mul(before, kappa));
+            kappas = hn::Max(kappas, hn::IfThenElse(there, kappa, one));
+            u_most = hn::Max(u_most, hn::Mul(hn::Abs(u_n), reach)),
+            v_most = hn::Max(v_most, hn::Mul(hn::Abs(v_n), reach));
+        }
+        hn::Store(u, d, slopes.u.middle.at + lane), hn::Store(v, d, slopes.v.middle.at + lane);
+        hn::Store(hn::DemoteTo(f, u_n), f, slopes.u.n.at + lane),
+            hn::Store(hn::DemoteTo(f, v_n), f, slopes.v.n.at + lane);
+        hn::Store(hn::DemoteTo(f, slope), f, slopes.d.at + lane);
+        hn::Store(hn::DemoteTo(f, before), f, slopes.before.at + lane);
     }
-    return hn::GetLane(hn::MaxOfLanes(d, most));
+    if constexpr (kBound) {
+        const double kappa = hn::GetLane(hn::MaxOfLanes(d, kappas));
+        slopes.u.bound(hn::GetLane(hn::MaxOfLanes(d, u_most)), kappa, b.u_far.at[t]);
+        slopes.v.bound(hn::GetLane(hn::MaxOfLanes(d, v_most)), kappa, b.v_far.at[t]);
+    }
 }
 
-HWY_INLINE void bias(const Eight& first, double doubt, EightInt& to) {
+HWY_INLINE void bias(const Slope& slope, double by, int count, OfRows<int32_t>& to) {
     const Real d;
-    for (int lane = 0; lane < kBatch; lane += kReals)
-        store_fraction(hn::Add(hn::Load(d, first.at + lane), hn::Set(d, doubt)), to, lane);
+    for (int lane = 0; lane < count; lane += kReals)
+        store_fraction(hn::Add(hn::Load(d, slope.middle.at + lane), hn::Set(d, by)), to.at + lane);
 }
 
 /// One row: u and v, some pixels at once.
@@ -69,32 +95,39 @@ template <class Tag>
 struct PerspectiveRow {
     using Float = hn::Rebind<float, Tag>;
     hn::Vec<Tag> u0, v0;
-    hn::Vec<Float> u_n, v_n, one_n;
+    hn::Vec<Float> u_n, v_n, d;
+    int u_shift, v_shift;
 
-    HWY_INLINE PerspectiveRow(const Rows& rows, const Slopes& slope, int n) {
-        const Tag p;
+    HWY_INLINE PerspectiveRow(const Rows& rows, const Slopes& slopes, int n)
+        : u_shift(slopes.u.shift), v_shift(slopes.v.shift) {
         const Float f;
-        u0 = hn::Set(p, static_cast<uint32_t>(rows.u.at[n])), v0 = hn::Set(p, static_cast<uint32_t>(rows.v.at[n]));
-        u_n = hn::Set(f, slope.u.at[n]), v_n = hn::Set(f, slope.v.at[n]), one_n = hn::Set(f, slope.one.at[n]);
+        u0 = from(rows.u.at[n], u_shift), v0 = from(rows.v.at[n], v_shift);
+        u_n = hn::Set(f, slopes.u.n.at[n] * slopes.u.scale), v_n = hn::Set(f, slopes.v.n.at[n] * slopes.v.scale);
+        d = hn::Set(f, slopes.d.at[n]);
     }
-    /// i pixels after the row's first.
+    /// i pixels after the row's middle.
     HWY_INLINE void at(hn::Vec<Float> i, hn::Vec<Tag>& u, hn::Vec<Tag>& v) const {
         const Float f;
-        const auto inverse = hn::Div(i, hn::MulAdd(i, one_n, hn::Set(f, 1.0F)));
-        const auto units = [&](auto n) HWY_ATTR {
-            return hn::ShiftLeft<6>(hn::BitCast(Tag{}, hn::NearestInt(hn::Mul(n, inverse))));
-        };
-        u = hn::Add(u0, units(u_n)), v = hn::Add(v0, units(v_n));
+        const auto quotient = hn::Div(i, hn::MulAdd(i, d, hn::Set(f, 1.0F))), whole = hn::Set(f, kWholeFloat);
+        u = hn::Add(u0, hn::ShiftLeftSame(hn::BitCast(Tag{}, hn::MulAdd(u_n, quotient, whole)), u_shift));
+        v = hn::Add(v0, hn::ShiftLeftSame(hn::BitCast(Tag{}, hn::MulAdd(v_n, quotient, whole)), v_shift));
+    }
+
+private:
+    [[nodiscard]] static HWY_INLINE hn::Vec<Tag> from(int32_t middle, int shift) {
+        return hn::Set(Tag{}, static_cast<uint32_t>(middle) - (std::bit_cast<uint32_t>(kWholeFloat) << shift));
     }
 };
 
 /// Every texel of some rows in double: float32 cannot tell any.
 template <bool kDepth>
-HWY_NOINLINE void rows_in_double(const Batch& b, int t, int row, int count, const Rows& rows, Again& again,
-                                 const Canvas& canvas) {
+HWY_NOINLINE uint64_t rows_in_double(const Batch& b, int t, int row, int count, const Rows& rows, Again& again,
+                                     const Canvas& canvas) {
     const hn::CappedTag<uint32_t, 4> p;
+    uint64_t samples = 0;
     for (int n = 0; n < count; ++n)
         for (int x = rows.x0.at[n]; x < rows.x1.at[n]; ++x) {
+            ++samples;
             if constexpr (kDepth) {
                 const DepthRow<decltype(p)> depth(b, t, row + n);
                 float* const z = canvas.target.depth + (row + n) * canvas.target.pitch;
@@ -102,18 +135,22 @@ HWY_NOINLINE void rows_in_double(const Batch& b, int t, int row, int count, cons
             }
             canvas.target.pixels[(row + n) * canvas.target.pitch + x] = again.texel(x, row + n);
         }
+    return samples;
 }
 
+/// The rows whose bits are set in `which`, some texels of which are unsure. Returns as mend() does.
 template <Addressing kAddressing, class Tag>
-HWY_NOINLINE bool perspective_again(Tag p, int row, int count, const Rows& rows, const Slopes& slope, Again& again,
-                                    bool only_double, const Canvas& canvas, const Texels<Tag, kAddressing>& texels) {
+HWY_NOINLINE bool perspective_again(Tag p, int row, uint32_t which, const Rows& rows, const Slopes& slopes,
+                                    Again& again, bool only_double, const Canvas& canvas,
+                                    const Texels<Tag, kAddressing>& texels) {
     const hn::Rebind<float, Tag> f;
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
-    for (int n = 0; n < count; ++n) {
-        const PerspectiveRow<Tag> line(rows, slope, n);
+    for (; which != 0; which &= which - 1) {
+        const int n = std::countr_zero(which);
+        const PerspectiveRow<Tag> line(rows, slopes, n);
         for (int x = rows.x0.at[n]; x < rows.x1.at[n]; x += kLanes) {
             auto u = hn::Zero(p), v = hn::Zero(p);
-            line.at(hn::Iota(f, static_cast<float>(x - rows.x0.at[n])), u, v);
+            line.at(hn::Iota(f, static_cast<float>(x - rows.x0.at[n]) - slopes.before.at[n]), u, v);
             const auto in = hn::FirstN(p, static_cast<size_t>(rows.x1.at[n] - x));
             if (!mend(p, again, x, row + n, hn::And(in, texels.unsure(u, v)), only_double, canvas)) return false;
         }
@@ -121,43 +158,72 @@ HWY_NOINLINE bool perspective_again(Tag p, int row, int count, const Rows& rows,
     return true;
 }
 
-template <Addressing kAddressing, bool kDepth, bool kCertain, class Tag>
-HWY_NOINLINE void draw_perspective(Tag p, const Batch& b, int t, const Canvas& canvas) {
+/// Pixels of one row at once: as many as float32 carries u and v, in whole vectors [px].
+HWY_INLINE int segment_of(int widest, int lanes) {
+    const int pieces = (widest + kSegment - 1) / kSegment;
+    return (widest / std::max(pieces, 1) / lanes + 1) * lanes;
+}
+
+/// Pixels [done, done + segment) of each row.
+HWY_INLINE void part_of(const Rows& whole, int count, int done, int segment, Rows& part) {
+    const hn::CappedTag<int32_t, kRows> s;
+    for (int lane = 0; lane < count; lane += static_cast<int>(hn::MaxLanes(s))) {
+        const auto end = hn::Load(s, whole.x1.at + lane);
+        const auto first = hn::Min(hn::Add(hn::Load(s, whole.x0.at + lane), hn::Set(s, done)), end);
+        hn::Store(first, s, part.x0.at + lane);
+        hn::Store(hn::Min(hn::Add(first, hn::Set(s, segment)), end), s, part.x1.at + lane);
+    }
+}
+
+/// The rows of one triangle. kNarrow: it is so narrow that its corners bound well enough how far u and v go in a row;
+/// else each group of rows is asked. False: nothing is drawn, the corners do not.
+template <bool kNarrow, Addressing kAddressing, bool kDepth, bool kCertain, class Tag>
+HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& canvas) {
     const hn::Rebind<float, Tag> f;
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
     const auto lanes = hn::Iota(f, 0.0F);
-    const int last_column = b.column1.at[t];
     const std::ptrdiff_t pitch = canvas.target.pitch;
+    const Columns columns{b.column0.at[t], b.column1.at[t]};
+    const int widest = std::min(b.widest.at[t], columns.high - columns.low);
+    const int segment = kNarrow ? widest : segment_of(widest, kLanes);
     uint64_t samples = 0;
     Again again(canvas, b, t, true);
     HalfGaps gaps;
     bool ties_known = false;
-    for (int band = b.column0.at[t]; band < last_column; band += kBand)
-        for (int row = b.row0.at[t]; row < b.row1.at[t]; row += kBatch) {
-            Rows rows;
-            Slopes slope;
-            Eight u_first, v_first;
-            const int count = std::min(kBatch, b.row1.at[t] - row);
-            cross(b, t, row, count, {band, std::min(band + kBand, last_column)}, canvas, rows);
-            slope.u_doubt = slopes_of(b, t, row, count, rows, b.u_over, b.u_far.at[t], u_first, slope.u, slope.one);
-            slope.v_doubt = slopes_of(b, t, row, count, rows, b.v_over, b.v_far.at[t], v_first, slope.v, slope.one);
+    Slopes slopes;
+    slopes.u.shift = b.u_along.shift.at[t], slopes.u.scale = b.u_along.scale.at[t];
+    slopes.v.shift = b.v_along.shift.at[t], slopes.v.scale = b.v_along.scale.at[t];
+    CertainPair certain = narrow_certain_of(b, t);
+    if (kNarrow && !certain.fits()) return false;
+    Texels<Tag, kAddressing> texels(canvas, b, t, certain);
+    for (int row = b.row0.at[t]; row < b.row1.at[t]; row += kRows) {
+        Rows whole, part;
+        Rows& rows = kNarrow ? whole : part;
+        const int count = std::min(kRows, b.row1.at[t] - row);
+        cross(b, t, row, count, columns, canvas, whole);
+        for (int done = 0; done < widest; done += segment) {
+            if constexpr (!kNarrow) part_of(whole, count, done, segment, part);
             const uint64_t before = samples;
-            for (int n = 0; n < count; ++n)
-                samples += static_cast<uint64_t>(std::max(0, rows.x1.at[n] - rows.x0.at[n]));
-            const Texels<Tag, kAddressing> texels(canvas, b, t, slope.u_doubt, slope.v_doubt, gaps);
-            if (!texels.fits()) {
-                rows_in_double<kDepth>(b, t, row, count, rows, again, canvas);
-                continue;
+            slopes_of<!kNarrow>(b, t, row, count, rows, slopes);
+            if constexpr (!kNarrow) {
+                certain = certain_of(canvas, b, t, slopes.u.doubt, slopes.v.doubt, gaps);
+                texels = Texels<Tag, kAddressing>(canvas, b, t, certain);
+                if (!certain.fits()) {
+                    samples += rows_in_double<kDepth>(b, t, row, count, rows, again, canvas);
+                    continue;
+                }
             }
-            bias(u_first, texels.u.bias, rows.u), bias(v_first, texels.v.bias, rows.v);
+            bias(slopes.u, texels.u.bias, count, rows.u), bias(slopes.v, texels.v.bias, count, rows.v);
             Least<Tag> least;
+            uint32_t unsure = 0;
             auto u = hn::Zero(p), v = u;
             for (int n = 0, y = row; n < count; ++n, ++y) {
                 int x = rows.x0.at[n], left = rows.x1.at[n] - x;
                 if (left <= 0) continue;
-                const PerspectiveRow<Tag> along(rows, slope, n);
+                samples += static_cast<uint64_t>(left);
+                const PerspectiveRow<Tag> along(rows, slopes, n);
                 [[maybe_unused]] const DepthRow<Tag> depth(b, t, y);
-                auto i = lanes;
+                auto i = hn::Sub(lanes, hn::Set(f, slopes.before.at[n]));
                 for (; left > 0; left -= kLanes, x += kLanes, i = hn::Add(i, hn::Set(f, kLanes))) {
                     if constexpr (kDepth) {
                         const auto in = hn::FirstN(p, static_cast<size_t>(left));
@@ -174,12 +240,24 @@ HWY_NOINLINE void draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
                             put_some<kCertain>(p, texels, u, v, left, out, least);
                     }
                 }
+                if constexpr (!kNarrow && !kDepth && kCertain)
+                    if (!least.is_sure(texels)) unsure |= 1U << n, least = {};
             }
-            if (kDepth || !kCertain || least.is_sure(texels)) continue;
-            if (!perspective_again(p, row, count, rows, slope, again, !ties_known, canvas, texels))
-                gaps = again.half_gaps(), ties_known = true, row -= kBatch, samples = before;
+            if (kDepth || !kCertain) continue;
+            if (kNarrow && !least.is_sure(texels)) unsure = (1U << count) - 1;
+            if (unsure == 0) continue;
+            if (!perspective_again(p, row, unsure, rows, slopes, again, !ties_known, canvas, texels)) {
+                gaps = again.half_gaps(), ties_known = true;
+                if constexpr (kNarrow) {
+                    certain = certain_of(canvas, b, t, certain.u.bias, certain.v.bias, gaps);
+                    texels = Texels<Tag, kAddressing>(canvas, b, t, certain);
+                }
+                done -= segment, samples = before;
+            }
         }
+    }
     canvas.counters->samples += samples;
+    return true;
 }
 
 }  // namespace HWY_NAMESPACE

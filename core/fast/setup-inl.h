@@ -26,8 +26,17 @@ struct CoordinateEight {
     PlaneEight plane;     ///< [units of Canvas::addressing]
     Eight unsure;         ///< bound of what double has lost, over the box [units]
     Eight doubt;          ///< bound of the error of int32 steps along a row from a start in double [units]
+    EightInt least;       ///< Certainty::least by it
     EightInt step, down;  ///< x and y rounded, modulo 2^32
     EightInt shift;       ///< units in a texel are 2^shift; not where the size is no power of two and repeats
+};
+
+/// How float32 carries u or v along a row in perspective, as far as the corners lie apart.
+struct FloatEight {
+    EightInt shift;    ///< it counts in 2^shift units
+    EightFloat scale;  ///< 2^-shift
+    Eight doubt;       ///< bound of the error [units]
+    EightInt least;    ///< Certainty::least by it; all bits where too much is in doubt
 };
 
 /// Everything about eight triangles, computed side by side.
@@ -48,14 +57,9 @@ struct Batch {
     EightInt flat;                   ///< equal w at all corners: affine
     PlaneEight one, u_over, v_over;  ///< 1/w, u/w, v/w over the box [units]
     Eight u_far, v_far;              ///< bound of what double has lost of u and v [units]
+    FloatEight u_along, v_along;     ///< where rows are narrow
     PlaneEight z;
     Eight z_unsure;  ///< bound of what double has lost of z
-
-    /// Of the triangles in the lanes from `lane` on.
-    [[nodiscard]] HWY_INLINE bool any_flat(int lane) const {
-        const Index d;
-        return !hn::AllFalse(d, hn::Ne(hn::Load(d, flat.at + lane), hn::Zero(d)));
-    }
 };
 
 /// Whether the coordinate is a multiple of 2^-8 below 2^13.
@@ -68,12 +72,12 @@ HWY_INLINE hn::Mask<Real> is_coarse(V c) {
 /// Eight triangles on the screen, in pixels of the target.
 struct Corners {
     V x0, y0, x1, y1, x2, y2;
-    HWY_INLINE Corners(const float* base, hn::Vec<Index> index, const RasterTarget& target) {
+    HWY_INLINE Corners(const Fields& f, const RasterTarget& target) {
         const Real d;
         const V left = hn::Set(d, target.x0), top = hn::Set(d, target.y0);
-        x0 = hn::Sub(field(base, index, 0), left), y0 = hn::Sub(field(base, index, 1), top);
-        x1 = hn::Sub(field(base, index, 6), left), y1 = hn::Sub(field(base, index, 7), top);
-        x2 = hn::Sub(field(base, index, 12), left), y2 = hn::Sub(field(base, index, 13), top);
+        x0 = hn::Sub(promote(f.x[0]), left), y0 = hn::Sub(promote(f.y[0]), top);
+        x1 = hn::Sub(promote(f.x[1]), left), y1 = hn::Sub(promote(f.y[1]), top);
+        x2 = hn::Sub(promote(f.x[2]), left), y2 = hn::Sub(promote(f.y[2]), top);
     }
     [[nodiscard]] HWY_INLINE V area() const {
         return difference_of_products(hn::Sub(x1, x0), hn::Sub(y2, y0), hn::Sub(x2, x0), hn::Sub(y1, y0));
@@ -87,12 +91,12 @@ struct Corners {
 /// Whether double holds all differences of the corners as given, of these and samples, and of these and the target's
 /// origin: with all sizes below 2^k, all are multiples of 2^(k - 52). Coordinates like 1e-12 beside others of 1000 are
 /// not, and what is that far out is left alone, too.
-HWY_INLINE hn::Mask<Real> is_fine(const float* base, hn::Vec<Index> index, const RasterTarget& target) {
+HWY_INLINE hn::Mask<Real> is_fine(const Fields& f, const RasterTarget& target) {
     const Real d;
     const hn::Repartition<uint64_t, Real> bits;
     const double reach = std::max(std::abs(target.x0), std::abs(target.y0)) + std::max(target.width, target.height);
-    const V x0 = field(base, index, 0), y0 = field(base, index, 1), x1 = field(base, index, 6),
-            y1 = field(base, index, 7), x2 = field(base, index, 12), y2 = field(base, index, 13);
+    const V x0 = promote(f.x[0]), y0 = promote(f.y[0]), x1 = promote(f.x[1]), y1 = promote(f.y[1]),
+            x2 = promote(f.x[2]), y2 = promote(f.y[2]);
     const V most =
         hn::Max(hn::Max(most_of(hn::Abs(x0), hn::Abs(x1), hn::Abs(x2)), most_of(hn::Abs(y0), hn::Abs(y1), hn::Abs(y2))),
                 hn::Set(d, reach));
@@ -123,6 +127,7 @@ struct Shape {
     V dx, dy;          ///< from the first corner to the centre of the box' first sample
     V most_x, most_y;  ///< no sample of the box is farther from the first corner
     V width;           ///< [px]
+    V inverse;         ///< of the area
 };
 
 /// Whether a1 - a0 is what double says.
@@ -133,15 +138,15 @@ HWY_INLINE hn::Mask<Real> is_exact(V a1, V a0, V difference) {
 HWY_INLINE V lever_of(const Shape& s) {
     const V lever = hn::MulAdd(hn::Add(hn::Abs(s.by), hn::Abs(s.cy)), s.most_x,
                                hn::Mul(hn::Add(hn::Abs(s.bx), hn::Abs(s.cx)), s.most_y));
-    return hn::Div(lever, hn::Abs(s.area));
+    return hn::Mul(lever, hn::Abs(s.inverse));
 }
 
 /// The plane through three values given exactly, `unit` times as large; returns the bound of what double loses over the
-/// box. In half ulps: a gradient 4 for its numerator, 4 for the area, 1 each for the quotient by it and the product; a
+/// box. In half ulps: a gradient 4 for its numerator, 4 for the area, 1 each for its inverse and two products; a
 /// sample's value some 8 more of the terms that it is summed from, and 4 more without fused multiply-adds.
 HWY_INLINE V plane(V a0, V a1, V a2, const Shape& s, V unit, PlaneEight& out, int lane) {
     const Real d;
-    const V b = hn::Sub(a1, a0), c = hn::Sub(a2, a0), scale = hn::Div(unit, s.area), from = hn::Mul(a0, unit);
+    const V b = hn::Sub(a1, a0), c = hn::Sub(a2, a0), scale = hn::Mul(unit, s.inverse), from = hn::Mul(a0, unit);
     const V x = hn::Mul(difference_of_products(b, s.cy, c, s.by), scale);
     const V y = hn::Mul(difference_of_products(c, s.bx, b, s.cx), scale);
     hn::Store(hn::MulAdd(y, s.dy, hn::MulAdd(x, s.dx, from)), d, out.at.at + lane);
@@ -157,33 +162,90 @@ HWY_INLINE V plane(V a0, V a1, V a2, const Shape& s, V unit, PlaneEight& out, in
 /// Adding it puts whole numbers below 2^52 into the lowest bits of a double.
 constexpr double kWholeBits = 0x1p52;
 
+/// Floor(log2(value)) of value >= 2^-1022; for NaN and infinity 1024.
+template <class D>
+HWY_INLINE hn::Vec<D> exponent_of(D d, hn::Vec<D> value) {
+    const hn::Repartition<uint64_t, D> bits;
+    const auto exponent = hn::ShiftRight<52>(hn::BitCast(bits, value));
+    const auto biased = hn::BitCast(d, hn::Or(exponent, hn::BitCast(bits, hn::Set(d, kWholeBits))));
+    return hn::Sub(biased, hn::Set(d, kWholeBits + 1023));
+}
+/// 2^n for whole n in (-1023, 1024).
+template <class D>
+HWY_INLINE hn::Vec<D> power_of_two(D d, hn::Vec<D> n) {
+    const hn::Repartition<uint64_t, D> bits;
+    return hn::BitCast(d, hn::ShiftLeft<52>(hn::BitCast(bits, hn::Add(n, hn::Set(d, kWholeBits + 1023)))));
+}
 /// How many bits after the texel int32 keeps of u, so that no |u| <= `most` [texels] overflows; at most 24.
 HWY_INLINE V bits_for(V most) {
     const Real d;
-    const hn::Repartition<uint64_t, Real> bits;
-    const auto exponent = hn::ShiftRight<52>(hn::BitCast(bits, hn::Add(most, hn::Set(d, 2.0))));
-    const V biased =
-        hn::Sub(hn::BitCast(d, hn::Or(exponent, hn::BitCast(bits, hn::Set(d, kWholeBits)))), hn::Set(d, kWholeBits));
-    return hn::Min(hn::Max(hn::Sub(hn::Set(d, 29 + 1023), biased), hn::Zero(d)), hn::Set(d, 24.0));
-}
-/// 2^n for whole n in [0, 64).
-HWY_INLINE V power_of_two(V n) {
-    const Real d;
-    const hn::Repartition<uint64_t, Real> bits;
-    return hn::BitCast(d, hn::ShiftLeft<52>(hn::BitCast(bits, hn::Add(n, hn::Set(d, kWholeBits + 1023)))));
+    const V exponent = exponent_of(d, hn::Add(most, hn::Set(d, 2.0)));
+    return hn::Min(hn::Max(hn::Sub(hn::Set(d, 29.0), exponent), hn::Zero(d)), hn::Set(d, 24.0));
 }
 
-/// Units in one unit of u, and the shift that makes texels of them.
-HWY_INLINE V unit_of(V a0, V a1, V a2, const Canvas& canvas, bool is_u, EightInt& shift, int lane) {
-    const Real d;
-    if (canvas.addressing != Addressing::clamped) {
-        store_int(hn::Set(d, 32 - (is_u ? canvas.u_bits : canvas.v_bits)), shift, lane);
-        return hn::Set(d, is_u ? canvas.u_unit : canvas.v_unit);
+/// What makes texels certain without a look at each. A value is biased by the bound e of its error, so that it lies
+/// within 2e above the true one: the texel is right if what follows the texel's own bits is at least 2e.
+template <class D>
+struct Certainty {
+    hn::Vec<D> bias;   ///< what values must be moved by [units]
+    hn::Vec<D> least;  ///< what follows a texel's bits, at the top of 32, must be no less
+    hn::Mask<D> fits;  ///< else too much is in doubt for texels to be told by it
+
+    /// @param doubt      e [units]
+    /// @param half_gap   half of what lies between a border and any sample not on it, or 0 [units]: where the doubt is
+    ///                   less, a value moved by that half is right without a test.
+    /// @param texel      [units]
+    /// @param per_texel  2^32 / texel, or the texels where their number is no power of two
+    HWY_INLINE Certainty(D d, hn::Vec<D> doubt, hn::Vec<D> half_gap, hn::Vec<D> texel, hn::Vec<D> per_texel) {
+        const auto one = hn::Set(d, 1.0), eight = hn::Set(d, 8.0);
+        fits = hn::Lt(hn::MulAdd(doubt, eight, eight), texel);  // in doubt within an eighth of a texel, at most
+        const auto sure = hn::Gt(half_gap, hn::Add(doubt, one));
+        bias = hn::IfThenElse(sure, half_gap, doubt);
+        const auto twice = hn::Add(hn::Floor(hn::Add(doubt, doubt)), one);
+        least = hn::IfThenElseZero(hn::AndNot(sure, fits), hn::Mul(twice, per_texel));
     }
-    const V texels = hn::Set(d, is_u ? canvas.job->u_texels : canvas.job->v_texels);
-    const V bits = bits_for(hn::Mul(most_of(hn::Abs(a0), hn::Abs(a1), hn::Abs(a2)), texels));
-    store_int(bits, shift, lane);
-    return hn::Mul(power_of_two(bits), texels);
+};
+
+/// How float32 carries u or v along a row in perspective, from the middle.
+template <class D>
+struct FloatBound {
+    hn::Vec<D> shift, scale;  ///< it counts in 2^shift units; 2^-shift
+    hn::Vec<D> doubt;         ///< the most that a value may be wrong [units]
+
+    /// @param relative  no value is farther from the middle's [units]
+    /// @param kappa     D of the middle over any other D is no more than it
+    /// @param far       bound of what double has lost [units]
+    HWY_INLINE FloatBound(D d, hn::Vec<D> relative, hn::Vec<D> kappa, hn::Vec<D> far) {
+        shift = hn::Max(hn::Sub(exponent_of(d, relative), hn::Set(d, 20.0)), hn::Zero(d));
+        const auto fits = hn::Lt(shift, hn::Set(d, 24.0));
+        shift = hn::IfThenElseZero(fits, shift);
+        scale = power_of_two(d, hn::Neg(shift));
+        // float32: both slopes, 1 + i d, and the quotient lose 2^-24 each, the sum more where it shrinks; then comes
+        // one rounding to whole 2^shift units.
+        const auto lost = hn::Mul(hn::Mul(relative, hn::Set(d, 0x1p-24)), hn::Add(kappa, hn::Set(d, 7.0)));
+        const auto rounding = hn::MulAdd(power_of_two(d, shift), hn::Set(d, .6), hn::Set(d, 3.0));
+        doubt = hn::IfThenElse(fits, hn::Add(hn::Add(lost, rounding), far), hn::Set(d, 0x1p40));
+    }
+};
+
+/// The units in which u or v of some triangles is counted.
+struct Units {
+    V unit;              ///< in one unit of u
+    V texel, per_texel;  ///< as Certainty has them
+};
+/// Stores the shift that makes texels of units, too.
+HWY_INLINE Units units_of(V a0, V a1, V a2, const Canvas& canvas, bool is_u, EightInt& shift, int lane) {
+    const Real d;
+    const double texels = is_u ? canvas.texture.width : canvas.texture.height;
+    if (canvas.addressing != Addressing::clamped) {
+        store_int(hn::Set(d, 32 - (is_u ? canvas.u_bits : canvas.v_bits)), shift.at + lane);
+        return {hn::Set(d, is_u ? canvas.u_unit : canvas.v_unit), hn::Set(d, 0x1p32 / texels), hn::Set(d, texels)};
+    }
+    const V size = hn::Set(d, is_u ? canvas.job->u_texels : canvas.job->v_texels);
+    const V bits = bits_for(hn::Mul(most_of(hn::Abs(a0), hn::Abs(a1), hn::Abs(a2)), size));
+    store_int(bits, shift.at + lane);
+    const V texel = power_of_two(d, bits);
+    return {hn::Mul(texel, size), texel, power_of_two(d, hn::Sub(hn::Set(d, 32.0), bits))};
 }
 
 /// 0, or NaN where one of them is not finite.
@@ -192,21 +254,24 @@ HWY_INLINE V nothing_of(V a0, V a1, V a2) {
     return hn::MulAdd(a0, zero, hn::MulAdd(a1, zero, hn::Mul(a2, zero)));
 }
 
-/// Returns nothing_of() the corners' values.
-HWY_INLINE V coordinate(const float* base, hn::Vec<Index> index, int offset, const Shape& s, const Canvas& canvas,
-                        CoordinateEight& out, int lane) {
+/// Returns where the corners' values are finite and int32 can tell the texels.
+HWY_INLINE hn::Mask<Real> coordinate(const Floats (&a)[3], bool is_u, const Shape& s, const Canvas& canvas,
+                                     CoordinateEight& out, int lane) {
     const Real d;
-    const V a0 = field(base, index, offset), a1 = field(base, index, offset + 6), a2 = field(base, index, offset + 12);
-    const V unit = unit_of(a0, a1, a2, canvas, offset == 4, out.shift, lane);
+    const V a0 = promote(a[0]), a1 = promote(a[1]), a2 = promote(a[2]);
+    const Units units = units_of(a0, a1, a2, canvas, is_u, out.shift, lane);
     // 24 half ulps of 2^50 are 2.7: from there on double does not hold whole units, and the slow path has to.
-    const V lost = plane(a0, a1, a2, s, unit, out.plane, lane);
+    const V lost = plane(a0, a1, a2, s, units.unit, out.plane, lane);
     const V unsure = hn::IfThenElse(hn::Lt(lost, hn::Set(d, 2.0)), lost, hn::Set(d, 0x1p40));
     hn::Store(unsure, d, out.unsure.at + lane);
     // A start is rounded to whole units, and each step by up to half of one.
-    hn::Store(hn::Add(unsure, hn::MulAdd(s.width, hn::Set(d, .5), hn::Set(d, 4.0))), d, out.doubt.at + lane);
-    store_fraction(hn::Load(d, out.plane.x.at + lane), out.step, lane);
-    store_fraction(hn::Load(d, out.plane.y.at + lane), out.down, lane);
-    return nothing_of(a0, a1, a2);
+    const V doubt = hn::Add(unsure, hn::MulAdd(s.width, hn::Set(d, .5), hn::Set(d, 4.0)));
+    hn::Store(doubt, d, out.doubt.at + lane);
+    const Certainty<Real> certainty(d, doubt, hn::Zero(d), units.texel, units.per_texel);
+    store_fraction(certainty.least, out.least.at + lane);
+    store_fraction(hn::Load(d, out.plane.x.at + lane), out.step.at + lane);
+    store_fraction(hn::Load(d, out.plane.y.at + lane), out.down.at + lane);
+    return hn::And(certainty.fits, hn::Eq(nothing_of(a0, a1, a2), hn::Zero(d)));
 }
 
 /// E of the side from a to b over the block of samples from (sx, sy): positive inside.
@@ -227,7 +292,7 @@ HWY_INLINE void set_side(V ax, V ay, V bx, V by, V sx, V sy, V sign, hn::Mask<Re
 /// A plane through values that double has rounded; returns the bound of its error over the box.
 HWY_INLINE V rounded_plane(V a0, V a1, V a2, const Shape& s, PlaneEight& out, int lane) {
     const Real d;
-    const V b = hn::Sub(a1, a0), c = hn::Sub(a2, a0), scale = hn::Div(hn::Set(d, 1.0), s.area);
+    const V b = hn::Sub(a1, a0), c = hn::Sub(a2, a0), scale = s.inverse;
     const V x = hn::Mul(difference_of_products(b, s.cy, c, s.by), scale),
             y = hn::Mul(difference_of_products(c, s.bx, b, s.cx), scale);
     hn::Store(hn::MulAdd(y, s.dy, hn::MulAdd(x, s.dx, a0)), d, out.at.at + lane);
@@ -239,22 +304,24 @@ HWY_INLINE V rounded_plane(V a0, V a1, V a2, const Shape& s, PlaneEight& out, in
     return hn::Mul(hn::Add(grown, reach), hn::Set(d, 10 * kUlp));
 }
 
-/// Returns where u, v and w are finite, and w is positive.
-HWY_INLINE hn::Mask<Real> set_up_perspective(const float* base, hn::Vec<Index> index, const Shape& s,
-                                             const Canvas& canvas, Batch& batch, int lane) {
+/// Returns where u, v and w are finite, and w is positive; `flat` is where it is the same at all corners.
+HWY_INLINE hn::Mask<Real> set_up_perspective(const Fields& f, const Shape& s, const Canvas& canvas,
+                                             hn::Mask<Real>& flat, Batch& batch, int lane) {
     const Real d;
-    const V w0 = field(base, index, 3), w1 = field(base, index, 9), w2 = field(base, index, 15), one = hn::Set(d, 1.0);
-    const auto flat = hn::And(hn::Eq(w0, w1), hn::Eq(w0, w2));
-    store_int(hn::IfThenElseZero(flat, one), batch.flat, lane);
+    const V w0 = promote(f.w[0]), w1 = promote(f.w[1]), w2 = promote(f.w[2]), one = hn::Set(d, 1.0);
+    flat = hn::And(hn::Eq(w0, w1), hn::Eq(w0, w2));
+    store_int(hn::IfThenElseZero(flat, one), batch.flat.at + lane);
     const V i0 = hn::Div(one, w0), i1 = hn::Div(one, w1), i2 = hn::Div(one, w2), least = least_of(i0, i1, i2);
+    const V kappa = hn::Div(most_of(i0, i1, i2), least);
     const V one_error = rounded_plane(i0, i1, i2, s, batch.one, lane);
     V nothing = hn::Zero(d);
-    const auto over = [&](int offset, EightInt& shift, PlaneEight& out, Eight& far) HWY_ATTR {
+    const auto over = [&](const Floats(&a)[3], bool is_u, EightInt& shift, PlaneEight& out, Eight& far,
+                          FloatEight& along) HWY_ATTR {
         const Real r;
-        V a0 = field(base, index, offset), a1 = field(base, index, offset + 6), a2 = field(base, index, offset + 12);
+        V a0 = promote(a[0]), a1 = promote(a[1]), a2 = promote(a[2]);
         nothing = hn::Add(nothing, nothing_of(a0, a1, a2));
-        const V unit = unit_of(a0, a1, a2, canvas, offset == 4, shift, lane);
-        a0 = hn::Mul(a0, unit), a1 = hn::Mul(a1, unit), a2 = hn::Mul(a2, unit);
+        const Units units = units_of(a0, a1, a2, canvas, is_u, shift, lane);
+        a0 = hn::Mul(a0, units.unit), a1 = hn::Mul(a1, units.unit), a2 = hn::Mul(a2, units.unit);
         const V error = rounded_plane(hn::Mul(a0, i0), hn::Mul(a1, i1), hn::Mul(a2, i2), s, out, lane);
         const V largest = most_of(hn::Abs(a0), hn::Abs(a1), hn::Abs(a2));
         // (N + eN) / (D + eD) - N / D, with |N / D| no more than the largest u and D no less than the least 1/w; and a
@@ -262,10 +329,18 @@ HWY_INLINE hn::Mask<Real> set_up_perspective(const float* base, hn::Vec<Index> i
         const V lost = hn::Div(hn::MulAdd(largest, one_error, error), hn::Sub(least, one_error));
         const V bound = hn::MulAdd(largest, hn::Set(r, 32 * kUlp), hn::Mul(hn::Abs(lost), hn::Set(r, 2.0)));
         const auto good = hn::And(hn::Gt(least, hn::Add(one_error, one_error)), hn::Lt(largest, hn::Set(r, 0x1p50)));
-        hn::Store(hn::IfThenElse(good, bound, hn::Set(r, 0x1p40)), r, far.at + lane);
+        const V lost_far = hn::IfThenElse(good, bound, hn::Set(r, 0x1p40));
+        hn::Store(lost_far, r, far.at + lane);
+        const V range = hn::Sub(most_of(a0, a1, a2), least_of(a0, a1, a2));
+        const FloatBound<Real> along_rows(r, range, kappa, lost_far);
+        const Certainty<Real> certainty(r, along_rows.doubt, hn::Zero(r), units.texel, units.per_texel);
+        store_int(along_rows.shift, along.shift.at + lane);
+        hn::Store(hn::DemoteTo(Narrow{}, along_rows.scale), Narrow{}, along.scale.at + lane);
+        hn::Store(along_rows.doubt, r, along.doubt.at + lane);
+        store_fraction(hn::IfThenElse(certainty.fits, certainty.least, hn::Set(r, 0x1p32 - 1)), along.least.at + lane);
     };
-    over(4, batch.u.shift, batch.u_over, batch.u_far);
-    over(5, batch.v.shift, batch.v_over, batch.v_far);
+    over(f.u, true, batch.u.shift, batch.u_over, batch.u_far, batch.u_along);
+    over(f.v, false, batch.v.shift, batch.v_over, batch.v_far, batch.v_along);
     nothing = hn::Add(nothing, nothing_of(w0, w1, w2));
     return hn::And(hn::Gt(least_of(w0, w1, w2), hn::Zero(d)), hn::Eq(nothing, hn::Zero(d)));
 }
@@ -286,10 +361,10 @@ HWY_INLINE void set_up_tiny(const Corners& p, const Shape& s, V c0, V r0, hn::Ma
 HWY_INLINE void set_up_sides(Corners p, V area, const Canvas& canvas, Batch& batch, int lane) {
     const Real d;
     order(p.x0, p.y0, p.x1, p.y1), order(p.x1, p.y1, p.x2, p.y2), order(p.x0, p.y0, p.x1, p.y1);
-    store_int(first_centre(p.y1, canvas.target.height), batch.row_mid, lane);
+    store_int(first_centre(p.y1, canvas.target.height), batch.row_mid.at + lane);
     store_int(hn::Min(hn::Add(hn::Div(hn::Abs(area), hn::Sub(p.y2, p.y0)), hn::Set(d, 1.25)), hn::Set(d, 32768.0)),
-              batch.widest, lane);
-    store_int(hn::IfThenElse(hn::Gt(p.area(), hn::Zero(d)), hn::Set(d, 1.0), hn::Zero(d)), batch.long_left, lane);
+              batch.widest.at + lane);
+    store_int(hn::IfThenElse(hn::Gt(p.area(), hn::Zero(d)), hn::Set(d, 1.0), hn::Zero(d)), batch.long_left.at + lane);
     hn::Store(p.x0, d, batch.long_x.at + lane), hn::Store(p.y0, d, batch.long_y.at + lane);
     hn::Store(hn::Div(hn::Sub(p.x2, p.x0), hn::Sub(p.y2, p.y0)), d, batch.long_slope.at + lane);
     hn::Store(hn::Div(hn::Sub(p.x1, p.x0), hn::Sub(p.y1, p.y0)), d, batch.top_slope.at + lane);
@@ -303,8 +378,8 @@ HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
     const auto* const base = reinterpret_cast<const float*>(canvas.job->vertices.data());
     const double u = 16 * kUlp;
     for (int lane = 0; lane < kBatch; lane += kReals) {
-        const auto index = hn::Mul(hn::Load(Index{}, batch.index.at + lane), hn::Set(Index{}, 18));
-        const Corners p(base, index, canvas.target);
+        const Fields f(base, batch.index.at + lane);
+        const Corners p(f, canvas.target);
         const auto coarse = p.coarse();
         const V low_x = least_of(p.x0, p.x1, p.x2), high_x = most_of(p.x0, p.x1, p.x2);
         const V low_y = least_of(p.y0, p.y1, p.y2), high_y = most_of(p.y0, p.y1, p.y2);
@@ -314,8 +389,8 @@ HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
         hn::Store(
             hn::IfThenZeroElse(coarse, hn::MulAdd(widest, hn::Set(d, u), hn::Set(d, u * (canvas.target.width + 2)))), d,
             batch.cross_doubt.at + lane);
-        store_int(c0, batch.column0, lane), store_int(c1, batch.column1, lane);
-        store_int(r0, batch.row0, lane), store_int(r1, batch.row1, lane);
+        store_int(c0, batch.column0.at + lane), store_int(c1, batch.column1.at + lane);
+        store_int(r0, batch.row0.at + lane), store_int(r1, batch.row1.at + lane);
 
         const V half = hn::Set(d, .5);
         Shape s{hn::Sub(p.x1, p.x0),
@@ -327,34 +402,43 @@ HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
                 hn::Sub(hn::Add(r0, half), p.y0),
                 half,
                 half,
-                hn::Sub(c1, c0)};
+                hn::Sub(c1, c0),
+                hn::Div(hn::Set(d, 1.0), p.area())};
         s.most_x = hn::Max(hn::Abs(s.dx), hn::Abs(hn::Add(s.dx, s.width)));
         s.most_y = hn::Max(hn::Abs(s.dy), hn::Abs(hn::Add(s.dy, hn::Sub(r1, r0))));
-        store_int(hn::IfThenElseZero(hn::Gt(s.area, hn::Zero(d)), hn::Set(d, 1.0)), batch.front, lane);
+        store_int(hn::IfThenElseZero(hn::Gt(s.area, hn::Zero(d)), hn::Set(d, 1.0)), batch.front.at + lane);
         V nothing = hn::Zero(d);
-        auto good = hn::Eq(half, half);
-        if (canvas.job->perspective) good = set_up_perspective(base, index, s, canvas, batch, lane);
-        if (!canvas.job->perspective || batch.any_flat(lane))
-            nothing = hn::Add(coordinate(base, index, 4, s, canvas, batch.u, lane),
-                              coordinate(base, index, 5, s, canvas, batch.v, lane));
+        const auto affine = [&]() HWY_ATTR {
+            return hn::And(coordinate(f.u, true, s, canvas, batch.u, lane),
+                           coordinate(f.v, false, s, canvas, batch.v, lane));
+        };
+        hn::Mask<Real> good;
+        if (!canvas.job->perspective) {
+            good = affine();
+        } else {
+            hn::Mask<Real> flat;
+            good = set_up_perspective(f, s, canvas, flat, batch, lane);
+            if (!hn::AllFalse(d, flat)) good = hn::And(good, hn::Or(affine(), hn::Not(flat)));
+        }
         if (canvas.job->depth) {
-            const V z0 = field(base, index, 2), z1 = field(base, index, 8), z2 = field(base, index, 14);
+            const V z0 = promote(f.z[0]), z1 = promote(f.z[1]), z2 = promote(f.z[2]);
             const V unsure = plane(z0, z1, z2, s, hn::Set(d, 1.0), batch.z, lane);
             // At least half a denormal, the least that differs; and nothing where z is the same all over.
             nothing = hn::Add(nothing, nothing_of(z0, z1, z2));
             const auto level = hn::And(hn::Eq(z0, z1), hn::Eq(z0, z2));
             hn::Store(hn::IfThenZeroElse(level, hn::Max(unsure, hn::Set(d, 0x1p-149))), d, batch.z_unsure.at + lane);
-        } else {
+        }
+        if (!canvas.job->depth && !canvas.job->perspective) {
             const auto is_small = [&](V extent, V samples) HWY_ATTR {
                 return hn::And(hn::Le(samples, hn::Set(Real{}, 4.0)), hn::Lt(extent, hn::Set(Real{}, 8.0)));
             };
             const auto tiny =
                 hn::And(is_small(hn::Sub(high_x, low_x), s.width), is_small(hn::Sub(high_y, low_y), hn::Sub(r1, r0)));
-            store_int(hn::IfThenElseZero(tiny, hn::Set(d, 1.0)), batch.tiny, lane);
+            store_int(hn::IfThenElseZero(tiny, hn::Set(d, 1.0)), batch.tiny.at + lane);
             if (!hn::AllFalse(d, tiny)) set_up_tiny(p, s, c0, r0, coarse, batch, lane);
         }
         good = hn::And(good, hn::Eq(nothing, hn::Zero(d)));
-        store_int(hn::IfThenElseZero(good, hn::Set(d, 1.0)), batch.good, lane);
+        store_int(hn::IfThenElseZero(good, hn::Set(d, 1.0)), batch.good.at + lane);
         set_up_sides(p, s.area, canvas, batch, lane);
     }
 }

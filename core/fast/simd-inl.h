@@ -1,4 +1,4 @@
-// Numbers of eight triangles, or of eight rows, side by side; for each SIMD target.
+// Numbers of eight triangles, or of some rows, side by side; for each SIMD target.
 #if defined(TEXELSCOPE_SIMD_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TEXELSCOPE_SIMD_INL
 #undef TEXELSCOPE_SIMD_INL
@@ -20,7 +20,8 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr int kBatch = 8;         ///< triangles set up at once, rows crossed at once
+constexpr int kBatch = 8;         ///< triangles set up at once
+constexpr int kRows = 16;         ///< rows of one triangle crossed at once, at most
 constexpr double kUlp = 0x1p-53;  ///< half a unit in the last place of 1
 
 using Real = hn::CappedTag<double, kBatch>;
@@ -30,8 +31,9 @@ using Pixel = hn::ScalableTag<uint32_t>;
 using PixelInt = hn::ScalableTag<int32_t>;
 constexpr int kReals = static_cast<int>(hn::MaxLanes(Real{}));
 using V = hn::Vec<Real>;
+using One = hn::CappedTag<double, 1>;  ///< for formulas that serve eight triangles and single ones alike
 
-/// Numbers of eight triangles, or of eight rows.
+/// Numbers of eight triangles.
 struct alignas(64) Eight {
     double at[kBatch];
 };
@@ -42,10 +44,62 @@ struct alignas(64) EightInt {
     int32_t at[kBatch];
 };
 
-/// A number of the triangles' first corners, or `offset` floats after it.
-HWY_INLINE V field(const float* base, hn::Vec<Index> index, int offset) {
-    return hn::PromoteTo(Real{}, hn::GatherIndex(Narrow{}, base + offset, index));
+/// A number of each row.
+template <class Number>
+struct alignas(64) OfRows {
+    Number at[kRows];
+};
+
+/// Floats of some triangles side by side.
+using Floats = hn::Vec<Narrow>;
+
+/// Floats [first, first + 4) of each triangle: loads of four and a transposition, where gather instructions would need
+/// five times as long.
+HWY_INLINE void four_of(const float* base, const int32_t* triangles, int first, Floats& a, Floats& b, Floats& c,
+                        Floats& d) {
+    constexpr int kFloats = sizeof(Vertex) / sizeof(float) * 3;
+    const Narrow n;
+    const auto from = [&](int lane) { return base + std::ptrdiff_t{triangles[lane]} * kFloats + first; };
+#if HWY_TARGET <= HWY_AVX2
+    const hn::CappedTag<float, 4> four;
+    const auto row = [&](int lane) HWY_ATTR {
+#if HWY_TARGET <= HWY_AVX3
+        return hn::Combine(Narrow{}, hn::LoadU(four, from(lane + 4)), hn::LoadU(four, from(lane)));
+#else
+        return hn::LoadU(four, from(lane));
+#endif
+    };
+    const auto r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3);
+    const hn::RepartitionToWide<Narrow> pairs;
+    const auto low01 = hn::BitCast(pairs, hn::InterleaveLower(n, r0, r1)),
+               low23 = hn::BitCast(pairs, hn::InterleaveLower(n, r2, r3)),
+               high01 = hn::BitCast(pairs, hn::InterleaveUpper(n, r0, r1)),
+               high23 = hn::BitCast(pairs, hn::InterleaveUpper(n, r2, r3));
+    a = hn::BitCast(n, hn::InterleaveLower(pairs, low01, low23));
+    b = hn::BitCast(n, hn::InterleaveUpper(pairs, low01, low23));
+    c = hn::BitCast(n, hn::InterleaveLower(pairs, high01, high23));
+    d = hn::BitCast(n, hn::InterleaveUpper(pairs, high01, high23));
+#else
+    alignas(16) float lanes[4][kReals];
+    for (int lane = 0; lane < kReals; ++lane)
+        for (int number = 0; number < 4; ++number) lanes[number][lane] = from(lane)[number];
+    a = hn::Load(n, lanes[0]), b = hn::Load(n, lanes[1]), c = hn::Load(n, lanes[2]), d = hn::Load(n, lanes[3]);
+#endif
 }
+
+/// The corners of some triangles; what nobody asks for is not loaded.
+struct Fields {
+    Floats x[3], y[3], z[3], w[3], u[3], v[3];
+
+    HWY_INLINE Fields(const float* base, const int32_t* triangles) {
+        four_of(base, triangles, 0, x[0], y[0], z[0], w[0]);
+        four_of(base, triangles, 4, u[0], v[0], x[1], y[1]);
+        four_of(base, triangles, 8, z[1], w[1], u[1], v[1]);
+        four_of(base, triangles, 12, x[2], y[2], z[2], w[2]);
+        four_of(base, triangles, 14, z[2], w[2], u[2], v[2]);
+    }
+};
+HWY_INLINE V promote(Floats a) { return hn::PromoteTo(Real{}, a); }
 
 #if !HWY_NATIVE_FMA
 /// What a rounded product has lost: a b - p, exactly, from halves whose products are exact (Veltkamp 1968, Dekker
@@ -73,17 +127,15 @@ HWY_INLINE V difference_of_products(V a, V b, V c, V d) {
 #endif
 }
 
-HWY_INLINE void store_int(V value, EightInt& to, int lane) {
-    hn::Store(hn::DemoteTo(Index{}, value), Index{}, to.at + lane);
-}
+HWY_INLINE void store_int(V value, int32_t* to) { hn::Store(hn::DemoteTo(Index{}, value), Index{}, to); }
 
 /// The low 32 bits of the whole part of |value| < 2^51.
-HWY_INLINE void store_fraction(V value, EightInt& to, int lane) {
+HWY_INLINE void store_fraction(V value, int32_t* to) {
     const Real d;
     const hn::Repartition<uint64_t, Real> bits;
     const V shifted = hn::Add(value, hn::Set(d, 0x1.8p52));
     const auto low = hn::TruncateTo(hn::Rebind<uint32_t, Real>{}, hn::BitCast(bits, shifted));
-    hn::Store(hn::BitCast(Index{}, low), Index{}, to.at + lane);
+    hn::Store(hn::BitCast(Index{}, low), Index{}, to);
 }
 
 /// Bit n is lane n.
@@ -140,6 +192,20 @@ HWY_INLINE hn::Vec<Tag> look_up(Tag p, const uint32_t* table, hn::Vec<Tag> place
         return hn::InsertLane(found, 3, table[high >> 32]);
     }
 #endif
+}
+
+/// Stores table[place] of each lane to `to`, four at a time: half as dear as one store across two lines of the cache.
+template <class Tag>
+HWY_INLINE void copy_looked_up(Tag p, const uint32_t* table, hn::Vec<Tag> place, uint32_t* to) {
+#if HWY_TARGET != HWY_SCALAR
+    if constexpr (hn::MaxLanes(p) > 4) {
+        const hn::Half<Tag> half;
+        copy_looked_up(half, table, hn::LowerHalf(half, place), to);
+        copy_looked_up(half, table, hn::UpperHalf(half, place), to + hn::MaxLanes(half));
+        return;
+    }
+#endif
+    hn::StoreU(look_up(p, table, place), p, to);
 }
 
 HWY_INLINE V least_of(V a, V b, V c) { return hn::Min(hn::Min(a, b), c); }

@@ -1,5 +1,4 @@
-// From u and v in units to texels, and which of them may be wrong. A value is biased by the bound e of its error, so
-// that it lies within 2e above the true one: the texel is right if what follows the texel's own bits is at least 2e.
+// From u and v in units to texels, and which of them may be wrong: Certainty.
 #if defined(TEXELSCOPE_TEXELS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TEXELSCOPE_TEXELS_INL
 #undef TEXELSCOPE_TEXELS_INL
@@ -34,28 +33,23 @@ HWY_INLINE Pixels upper_half(Pixels a, Pixels b) {
 #endif
 }
 
+/// Certainty of one triangle's u or v.
+struct Certain {
+    double bias;
+    uint32_t least;
+    bool fits;
+};
+
 /// u or v of one triangle, as many at once as the tag has lanes.
 template <class Tag, Addressing kAddressing>
 struct Axis {
     hn::Vec<Tag> least, size;
     int shift;
-    double bias;  ///< what values must be moved by [units]
-    bool fits;    ///< else too much is in doubt for the texel to be told by it
+    double bias;
 
-    /// @param half_gap  half of what lies between a border and any sample not on it, or 0 [units]: where the doubt is
-    ///                  less, a value moved by that half is right without a test.
-    HWY_INLINE Axis(double doubt, double half_gap, int shift_of_texel, int texels) : shift(shift_of_texel) {
-        const Tag p;
-        size = hn::Set(p, static_cast<uint32_t>(texels));
-        // A texel's units. In doubt within an eighth of it, at most.
-        const double texel =
-            kAddressing == Addressing::any_size ? 0x1p32 / texels : static_cast<double>(int64_t{1} << shift);
-        fits = 8 * doubt + 8 < texel;
-        const bool sure = half_gap > doubt + 1;
-        bias = sure ? half_gap : doubt;
-        const auto twice = fits && !sure ? static_cast<uint32_t>(2 * doubt) + 1 : 0;
-        least = hn::Set(
-            p, kAddressing == Addressing::any_size ? twice * static_cast<uint32_t>(texels) : twice << (32 - shift));
+    HWY_INLINE Axis(const Certain& certain, int shift_of_texel, int texels)
+        : shift(shift_of_texel), bias(certain.bias) {
+        least = hn::Set(Tag{}, certain.least), size = hn::Set(Tag{}, static_cast<uint32_t>(texels));
     }
     /// What follows the texel's bits, at the top of 32.
     [[nodiscard]] HWY_INLINE hn::Vec<Tag> rest(hn::Vec<Tag> u) const {
@@ -87,6 +81,41 @@ HWY_INLINE double texel_units(const Canvas& canvas, const CoordinateEight& u, in
     return canvas.addressing == Addressing::any_size ? 0x1p32 / size : static_cast<double>(int64_t{1} << u.shift.at[t]);
 }
 
+HWY_INLINE Certain certain_of(const Canvas& canvas, const CoordinateEight& u, int t, int size, double doubt,
+                              double half_gap) {
+    const One d;
+    const double texel = texel_units(canvas, u, t, size);
+    const double per_texel = canvas.addressing == Addressing::any_size ? size : 0x1p32 / texel;
+    const Certainty<One> c(d, hn::Set(d, doubt), hn::Set(d, half_gap), hn::Set(d, texel), hn::Set(d, per_texel));
+    return {hn::GetLane(c.bias), static_cast<uint32_t>(hn::GetLane(c.least)), hn::AllTrue(d, c.fits)};
+}
+/// Of both, by how much they are in doubt.
+struct CertainPair {
+    Certain u, v;
+
+    [[nodiscard]] HWY_INLINE bool fits() const { return u.fits && v.fits; }
+};
+HWY_INLINE CertainPair certain_of(const Canvas& canvas, const Batch& b, int t, double u_doubt, double v_doubt,
+                                  const HalfGaps& gaps) {
+    return {certain_of(canvas, b.u, t, canvas.texture.width, u_doubt, gaps.u),
+            certain_of(canvas, b.v, t, canvas.texture.height, v_doubt, gaps.v)};
+}
+/// Of an affine triangle, as it was set up.
+HWY_INLINE CertainPair certain_of(const Batch& b, int t) {
+    const auto of = [t](const CoordinateEight& u) HWY_ATTR {
+        return Certain{u.doubt.at[t], static_cast<uint32_t>(u.least.at[t]), true};
+    };
+    return {of(b.u), of(b.v)};
+}
+/// Of a narrow one in perspective.
+HWY_INLINE CertainPair narrow_certain_of(const Batch& b, int t) {
+    const auto of = [t](const FloatEight& u) HWY_ATTR {
+        const auto least = static_cast<uint32_t>(u.least.at[t]);
+        return Certain{u.doubt.at[t], least, least != ~0U};
+    };
+    return {of(b.u_along), of(b.v_along)};
+}
+
 /// Both, and the texture.
 template <class Tag, Addressing kAddressing>
 struct Texels {
@@ -96,14 +125,13 @@ struct Texels {
     const uint32_t* texels;
     const uint32_t* light;
 
-    HWY_INLINE Texels(const Canvas& canvas, const Batch& b, int t, double u_doubt, double v_doubt, const HalfGaps& gaps)
-        : u(u_doubt, gaps.u, b.u.shift.at[t], canvas.texture.width),
-          v(v_doubt, gaps.v, b.v.shift.at[t], canvas.texture.height),
+    HWY_INLINE Texels(const Canvas& canvas, const Batch& b, int t, const CertainPair& certain)
+        : u(certain.u, b.u.shift.at[t], canvas.texture.width),
+          v(certain.v, b.v.shift.at[t], canvas.texture.height),
           texels(canvas.texture.texels),
           light(canvas.job->light != nullptr ? canvas.job->light->data() : nullptr) {
         pitch = hn::Set(Tag{}, static_cast<uint32_t>(canvas.texture.pitch));
     }
-    [[nodiscard]] HWY_INLINE bool fits() const { return u.fits && v.fits; }
     /// Where in the texture.
     [[nodiscard]] HWY_INLINE Pixels place(Pixels at_u, Pixels at_v) const {
         return hn::Add(hn::Mul(v.index(at_v), pitch), u.index(at_u));
@@ -112,6 +140,11 @@ struct Texels {
     [[nodiscard]] HWY_INLINE Pixels fetch(Pixels at) const {
         const auto got = look_up(Tag{}, texels, at);
         return light == nullptr ? got : lit(got);
+    }
+    /// Stores the texels to `out`.
+    HWY_INLINE void copy(Pixels at_u, Pixels at_v, uint32_t* out) const {
+        if (light == nullptr) return copy_looked_up(Tag{}, texels, place(at_u, at_v), out);
+        hn::StoreU(fetch(at_u, at_v), Tag{}, out);
     }
     [[nodiscard]] HWY_INLINE hn::Mask<Tag> unsure(Pixels at_u, Pixels at_v) const {
         return hn::Or(u.unsure(at_u), v.unsure(at_v));
@@ -154,9 +187,9 @@ struct Least {
 
 /// Stores the texels of as many pixels as there are lanes.
 template <bool kCertain, Addressing kAddressing, class Tag>
-HWY_INLINE void put_all(Tag p, const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> u, hn::Vec<Tag> v, uint32_t* out,
-                        Least<Tag>& least) {
-    hn::StoreU(texels.fetch(u, v), p, out);
+HWY_INLINE void put_all(Tag /*p*/, const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> u, hn::Vec<Tag> v,
+                        uint32_t* out, Least<Tag>& least) {
+    texels.copy(u, v, out);
     if constexpr (kCertain) least.see(texels, u, v);
 }
 /// Of the first `count` of them.

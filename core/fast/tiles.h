@@ -1,7 +1,9 @@
-// Hierarchical z: the farthest depth of each 16 x 16 tile, brought up to date only where somebody asks.
+// Hierarchical z: the farthest depth of each 16 x 16 tile, brought up to date only where somebody asks and much has
+// been written.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -28,17 +30,24 @@ public:
                 if (!hides(x, y, nearest)) return false;
         return true;
     }
-    /// Depths in the box have become nearer.
+    /// Depths in the box may have become nearer.
     void touch(const PixelBox& box) {
+        const int most = std::min(box.x1 - box.x0, kSide) * std::min(box.y1 - box.y0, kSide);
         for (int y = box.y0 / kSide; y <= (box.y1 - 1) / kSide; ++y)
-            for (int x = box.x0 / kSide; x <= (box.x1 - 1) / kSide; ++x) at(x, y).stale = true;
+            for (int x = box.x0 / kSide; x <= (box.x1 - 1) / kSide; ++x) {
+                int& written = at(x, y).written;
+                written = std::min(kEnough, written + most);
+            }
     }
 
 private:
     static constexpr int kSide = 16;
+    /// So many pixels drawn over a tile, four times all it has, are likely to have changed its farthest depth:
+    /// measured.
+    static constexpr int kEnough = 4 * kSide * kSide;
     struct Tile {
-        float farthest = std::numeric_limits<float>::infinity();  ///< or farther, where stale
-        bool stale = true;
+        float farthest = std::numeric_limits<float>::infinity();  ///< no depth of the tile is farther
+        int written = kEnough;                                    ///< pixels since `farthest` was found, at most
     };
     [[nodiscard]] Tile& at(int x, int y) {
         return tiles_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)];
@@ -47,14 +56,21 @@ private:
     [[nodiscard]] bool hides(int x, int y, float nearest) {
         Tile& tile = at(x, y);
         if (nearest >= tile.farthest) return true;
-        if (!tile.stale) return false;
-        float farthest = -std::numeric_limits<float>::infinity();
-        const int x1 = std::min((x + 1) * kSide, target_.width), y1 = std::min((y + 1) * kSide, target_.height);
+        if (tile.written < kEnough) return false;
+        std::array<float, kSide> columns;  // of which compilers make vectors
+        columns.fill(-std::numeric_limits<float>::infinity());
+        const int width = std::min(kSide, target_.width - x * kSide), y1 = std::min((y + 1) * kSide, target_.height);
         for (int row = y * kSide; row < y1; ++row) {
-            const float* const line = target_.depth + row * target_.pitch;
-            for (int column = x * kSide; column < x1; ++column) farthest = std::max(farthest, line[column]);
+            const float* const line = target_.depth + row * target_.pitch + x * kSide;
+            if (width == kSide)
+                for (int n = 0; n < kSide; ++n)
+                    columns[static_cast<std::size_t>(n)] = std::max(columns[static_cast<std::size_t>(n)], line[n]);
+            else
+                for (int n = 0; n < width; ++n)
+                    columns[static_cast<std::size_t>(n)] = std::max(columns[static_cast<std::size_t>(n)], line[n]);
         }
-        tile = {farthest, false};
+        const float farthest = *std::max_element(columns.begin(), columns.end());
+        tile = {farthest, 0};
         return nearest >= farthest;
     }
 

@@ -42,9 +42,9 @@ template <Addressing kAddressing>
 HWY_INLINE bool draw_tiny(const Batch& b, int t, const Canvas& canvas) {
     const hn::CappedTag<uint32_t, 16> p;
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
-    const Texels<decltype(p), kAddressing> texels(canvas, b, t, b.u.doubt.at[t], b.v.doubt.at[t], {});
+    const Texels<decltype(p), kAddressing> texels(canvas, b, t, certain_of(b, t));
     uint32_t inside = 0;
-    if (!texels.fits() || !cover_tiny(b, t, inside)) return false;
+    if (!cover_tiny(b, t, inside)) return false;
     const int column = b.column0.at[t], row = b.row0.at[t];
     if (column + 4 > canvas.target.width) inside &= 0x1111U * ((1U << (canvas.target.width - column)) - 1);
     if (row + 4 > canvas.target.height) inside &= (1U << (4 * (canvas.target.height - row))) - 1;

@@ -58,30 +58,26 @@ HWY_NOINLINE void draw_slowly(int triangle, const Canvas& canvas) {
     }
 }
 
-/// False: nothing is drawn, the triangle is for draw_slowly(). Narrow vectors only where they are met most: each width
-/// is compiled anew.
+/// Narrow vectors only where they are met most: each width is compiled anew.
 template <Addressing kAddressing, bool kDepth, bool kCertain>
-HWY_INLINE bool draw_triangle(const Batch& b, int t, const Canvas& canvas) {
+HWY_INLINE void draw_triangle(const Batch& b, int t, const Canvas& canvas) {
     constexpr bool kMost = kAddressing == Addressing::powers;
     const hn::ScalableTag<uint32_t> wide;
     const hn::CappedTag<uint32_t, kMost ? 8 : hn::MaxLanes(wide)> medium;
     const hn::CappedTag<uint32_t, kMost && !kDepth ? 4 : hn::MaxLanes(medium)> narrow;
+    if constexpr (kMost && !kDepth)
+        if (!canvas.job->perspective && b.tiny.at[t] != 0 && draw_tiny<kAddressing>(b, t, canvas)) return;
     const int widest = b.widest.at[t];
     if (canvas.job->perspective && (b.flat.at[t] == 0 || !canvas.settings->skip(RasterSkip::equal_w))) {
-        if (widest <= kMedium)
-            draw_perspective<kAddressing, kDepth, kCertain>(medium, b, t, canvas);
-        else
-            draw_perspective<kAddressing, kDepth, kCertain>(wide, b, t, canvas);
-        return true;
+        if (widest <= kMedium && draw_perspective<true, kAddressing, kDepth, kCertain>(medium, b, t, canvas)) return;
+        return void(draw_perspective<false, kAddressing, kDepth, kCertain>(wide, b, t, canvas));
     }
     if (canvas.job->perspective) ++canvas.counters->of(RasterSkip::equal_w);
     if constexpr (kMost && !kDepth)
-        if (b.tiny.at[t] != 0 && draw_tiny<kAddressing>(b, t, canvas)) return true;
-    if constexpr (kMost && !kDepth)
         if (widest <= kNarrow && canvas.settings->certain) return draw_columns<kAddressing>(b, t, canvas);
-    if (widest <= kNarrow) return draw_rows<kAddressing, kDepth, kCertain>(narrow, b, t, canvas);
-    if (widest <= kMedium) return draw_rows<kAddressing, kDepth, kCertain>(medium, b, t, canvas);
-    return draw_rows<kAddressing, kDepth, kCertain>(wide, b, t, canvas);
+    if (widest <= kNarrow) return draw_rows<false, kAddressing, kDepth, kCertain>(narrow, b, t, canvas);
+    if (widest <= kMedium) return draw_rows<false, kAddressing, kDepth, kCertain>(medium, b, t, canvas);
+    return draw_rows<true, kAddressing, kDepth, kCertain>(wide, b, t, canvas);
 }
 
 /// Sets up the triangles that wait and draws them.
@@ -94,7 +90,9 @@ HWY_INLINE void flush(Batch& batch, int& count, const Canvas& canvas) {
         ++canvas.counters->drawn;
         // Culled only here where the skip is off: it costs what it costs, and shows nothing.
         if (canvas.job->cull_back && batch.front.at[t] == 0) continue;
-        if (batch.good.at[t] == 0 || !draw_triangle<kAddressing, kDepth, kCertain>(batch, t, canvas))
+        if (batch.good.at[t] != 0)
+            draw_triangle<kAddressing, kDepth, kCertain>(batch, t, canvas);
+        else
             draw_slowly(batch.index.at[t], canvas);
         if constexpr (kDepth) {
             const PixelBox box{batch.column0.at[t], batch.row0.at[t], batch.column1.at[t], batch.row1.at[t]};
@@ -118,8 +116,10 @@ HWY_NOINLINE void look_at(int first, int all, const Canvas& canvas, Looked& look
     const RasterTarget& target = canvas.target;
     const RasterSettings& settings = *canvas.settings;
     const auto* const base = reinterpret_cast<const float*>(canvas.job->vertices.data());
-    const auto index = hn::Mul(hn::Min(hn::Iota(Index{}, first), hn::Set(Index{}, all - 1)), hn::Set(Index{}, 18));
-    const Corners p(base, index, target);
+    alignas(32) int32_t triangles[kReals];
+    hn::Store(hn::Min(hn::Iota(Index{}, first), hn::Set(Index{}, all - 1)), Index{}, triangles);
+    const Fields f(base, triangles);
+    const Corners p(f, target);
     auto there = hn::FirstN(d, static_cast<size_t>(std::min(kReals, all - first)));
     const auto drop = [&](RasterSkip skip, hn::Mask<Real> which) HWY_ATTR {
         if (!settings.skip(skip)) return;
@@ -136,16 +136,15 @@ HWY_NOINLINE void look_at(int first, int all, const Canvas& canvas, Looked& look
     const V r0 = first_centre(low_y, target.height), r1 = first_centre(high_y, target.height);
     drop(RasterSkip::no_sample, hn::Or(hn::Ge(c0, c1), hn::Ge(r0, r1)));
 
-    const auto fine = is_fine(base, index, target);
+    const auto fine = is_fine(f, target);
     const V area = p.area();
     drop(RasterSkip::zero_area, hn::And(fine, hn::Eq(area, zero)));
     if (canvas.job->cull_back) drop(RasterSkip::back_face, hn::And(fine, hn::Lt(area, zero)));
     looked.keep = bits_of(d, there), looked.fine = bits_of(d, fine);
     if (canvas.tiles == nullptr) return;
-    store_int(c0, looked.column0, 0), store_int(c1, looked.column1, 0);
-    store_int(r0, looked.row0, 0), store_int(r1, looked.row1, 0);
-    const V nearest = least_of(field(base, index, 2), field(base, index, 8), field(base, index, 14));
-    hn::Store(hn::DemoteTo(Narrow{}, nearest), Narrow{}, looked.nearest.at);
+    store_int(c0, looked.column0.at), store_int(c1, looked.column1.at);
+    store_int(r0, looked.row0.at), store_int(r1, looked.row1.at);
+    hn::Store(hn::Min(hn::Min(f.z[0], f.z[1]), f.z[2]), Narrow{}, looked.nearest.at);
 }
 
 /// Whether all that the triangle could draw is hidden.
@@ -155,6 +154,18 @@ HWY_INLINE bool is_hidden(const Looked& looked, int lane, const Canvas& canvas) 
     if (box.x0 >= box.x1 || box.y0 >= box.y1 || !canvas.tiles->hides(box, looked.nearest.at[lane])) return false;
     ++canvas.counters->of(RasterSkip::hidden);
     return true;
+}
+
+/// Fetches what a small triangle will be drawn over: before it is set up, others are looked at.
+HWY_INLINE void fetch_ahead(const Looked& looked, int lane, const Canvas& canvas) {
+    constexpr int kMostRows = 16;
+    const int row0 = looked.row0.at[lane], row1 = std::min(looked.row1.at[lane], row0 + kMostRows);
+    const int width = looked.column1.at[lane] - looked.column0.at[lane] - 1;
+    std::ptrdiff_t at = row0 * canvas.target.pitch + looked.column0.at[lane];
+    for (int row = row0; row < row1; ++row, at += canvas.target.pitch) {
+        hwy::Prefetch(canvas.target.depth + at), hwy::Prefetch(canvas.target.depth + at + width);
+        hwy::Prefetch(canvas.target.pixels + at), hwy::Prefetch(canvas.target.pixels + at + width);
+    }
 }
 
 template <Addressing kAddressing, bool kDepth, bool kCertain>
@@ -179,6 +190,7 @@ HWY_INLINE void draw_triangles(const Canvas& canvas) {
                 continue;
             }
             if (kDepth && is_hidden(looked, lane, canvas)) continue;
+            if constexpr (kDepth) fetch_ahead(looked, lane, canvas);
             batch.index.at[waiting++] = first + lane;
             if (waiting == kBatch) flush<kAddressing, kDepth, kCertain>(batch, waiting, canvas);
         }
