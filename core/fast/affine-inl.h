@@ -69,6 +69,40 @@ HWY_NOINLINE bool rows_again(Tag p, const Batch& b, int t, int row, uint32_t whi
     return true;
 }
 
+/// The rows of a triangle that lies in one texel.
+template <bool kDepth>
+HWY_NOINLINE void fill_rows(const Batch& b, int t, const Canvas& canvas) {
+    const Pixel p;
+    constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
+    const Vertex& corner = *canvas.corners(b.index.at[t]);
+    const auto index = [](float u, int texels) { return static_cast<Integer>(std::floor(double{u} * texels)); };
+    const TexelIndex texel{index(corner.u, canvas.job->u_texels), index(corner.v, canvas.job->v_texels)};
+    const uint32_t colour = texel_at(canvas, place_of(canvas.texture, texel));
+    ++canvas.counters->of(RasterSkip::one_texel);
+    [[maybe_unused]] Again again(canvas, b, t, false);
+    const std::ptrdiff_t pitch = canvas.target.pitch;
+    for (int row = b.row0.at[t]; row < b.row1.at[t]; row += kRows) {
+        Rows rows;
+        const int count = std::min(kRows, b.row1.at[t] - row);
+        cross(b, t, row, count, {b.column0.at[t], b.column1.at[t]}, canvas, rows);
+        for (int n = 0, y = row; n < count; ++n, ++y) {
+            int x = rows.x0.at[n], left = rows.x1.at[n] - x;
+            if (left <= 0) continue;
+            canvas.counters->samples += static_cast<uint64_t>(left);
+            [[maybe_unused]] const DepthRow<Pixel> depth(b, t, y);
+            uint32_t* const line = canvas.target.pixels + y * pitch;
+            if constexpr (!kDepth)
+                std::fill_n(line + x, left, colour);
+            else
+                for (; left > 0; left -= kLanes, x += kLanes) {
+                    const auto in = hn::FirstN(p, static_cast<size_t>(left));
+                    store_some(hn::Set(p, colour), pass_depth(depth, x, y, in, canvas.target.depth + y * pitch, again),
+                               p, line + x);
+                }
+        }
+    }
+}
+
 /// The rows of one triangle, as many pixels at once as `Tag` has lanes. kWide: it is so wide that each row is asked
 /// whether it is sure, else some at once are.
 template <bool kWide, Addressing kAddressing, bool kDepth, bool kCertain, class Tag>
@@ -84,6 +118,9 @@ HWY_NOINLINE void draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
     const auto u_step = hn::Mul(u_x, hn::Set(p, kLanes)), v_step = hn::Mul(v_x, hn::Set(p, kLanes));
     const Columns columns{b.column0.at[t], b.column1.at[t]};
     const std::ptrdiff_t pitch = canvas.target.pitch;
+    const bool level = kWide && !kDepth && b.u.step.at[t] == 0 && b.v.step.at[t] == 0 &&
+                       canvas.settings->skip(RasterSkip::zero_gradient);
+    if (level) ++canvas.counters->of(RasterSkip::zero_gradient);
     uint64_t samples = 0;
     for (int row = b.row0.at[t]; row < b.row1.at[t]; row += kRows) {
         Rows rows;
@@ -109,6 +146,13 @@ HWY_NOINLINE void draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
                 }
             } else {
                 uint32_t* out = canvas.target.pixels + y * pitch + x;
+                if (kWide && level) {
+                    const auto found = texels.fetch(u, v);
+                    least.see(texels, u, v);
+                    for (; left >= kLanes; left -= kLanes, out += kLanes) hn::StoreU(found, p, out);
+                    if (left > 0) store_some(found, hn::FirstN(p, static_cast<size_t>(left)), p, out);
+                    left = 0;
+                }
                 for (; left >= kLanes; left -= kLanes, out += kLanes) {
                     put_all<kCertain>(p, texels, u, v, out, least);
                     u = hn::Add(u, u_step), v = hn::Add(v, v_step);

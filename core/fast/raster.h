@@ -56,24 +56,28 @@ inline constexpr std::array<SimdLevelInfo, 3> kSimdLevels{
 
 /// Work that need not be done. The pixels are the same without any of them.
 enum class RasterSkip : std::uint8_t {
-    off_screen,  ///< triangles outside the target
-    no_sample,   ///< triangles between samples
-    zero_area,   ///< triangles without area
-    back_face,   ///< culled triangles: before they are set up
-    hidden,      ///< triangles behind all that stands in the tiles that they meet (hierarchical z)
-    equal_w,     ///< perspective where all corners are equally far
+    off_screen,     ///< triangles outside the target
+    no_sample,      ///< triangles between samples
+    zero_area,      ///< triangles without area
+    back_face,      ///< culled triangles: before they are set up
+    hidden,         ///< triangles behind all that stands in the tiles that they meet (hierarchical z)
+    equal_w,        ///< perspective where all corners are equally far
+    zero_gradient,  ///< looking up a row's texels where neither u nor v changes along it
+    one_texel,      ///< looking up texels where all corners lie in the same one
 };
 struct RasterSkipInfo {
     RasterSkip skip;
     std::string_view id, sentence;
 };
-inline constexpr std::array<RasterSkipInfo, 6> kRasterSkips{{
+inline constexpr std::array<RasterSkipInfo, 8> kRasterSkips{{
     {RasterSkip::off_screen, "off-screen", "Triangles outside the picture are dropped before they are set up."},
     {RasterSkip::no_sample, "no-sample", "Triangles whose box lies between samples are dropped before set-up."},
     {RasterSkip::zero_area, "zero-area", "Triangles without area are dropped before set-up."},
     {RasterSkip::back_face, "back-face", "Triangles seen from behind are dropped before set-up."},
     {RasterSkip::hidden, "hidden", "Triangles behind the farthest depth of every 16 x 16 tile they meet are dropped."},
     {RasterSkip::equal_w, "equal-w", "Triangles with equal w at all corners are drawn without a division a pixel."},
+    {RasterSkip::zero_gradient, "zero-gradient", "Rows along which neither u nor v changes are filled with one texel."},
+    {RasterSkip::one_texel, "one-texel", "Triangles whose corners lie in one texel are filled with it."},
 }};
 
 inline constexpr int kMaxRasterThreads = 64;

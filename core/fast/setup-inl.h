@@ -51,6 +51,7 @@ struct Batch {
     EightInt long_left;  ///< the long side is the left one
     EightInt widest;     ///< no row has more samples
     EightInt front;      ///< seen from the front
+    EightInt one_texel;  ///< all corners, so all samples, lie in the same texel
     EightInt tiny;       ///< lies in a block of 4 x 4 samples from (column0, row0)
     std::array<EightFloat, 3> side_x, side_y, side_one, side_least;  ///< E over the block; inside: E >= least
     EightFloat side_doubt;
@@ -372,6 +373,19 @@ HWY_INLINE void set_up_sides(Corners p, V area, const Canvas& canvas, Batch& bat
     hn::Store(hn::Div(hn::Sub(p.x2, p.x1), hn::Sub(p.y2, p.y1)), d, batch.low_slope.at + lane);
 }
 
+/// Where all corners lie in the same texel: u and v of a sample are between the corners', in perspective, too.
+HWY_INLINE hn::Mask<Real> in_one_texel(const Fields& f, const Canvas& canvas) {
+    const Real d;
+    const auto same = [&](const Floats(&a)[3], int texels) HWY_ATTR {
+        const V size = hn::Set(Real{}, texels);  // the products are exact
+        const V a0 = hn::Floor(hn::Mul(promote(a[0]), size)), a1 = hn::Floor(hn::Mul(promote(a[1]), size)),
+                a2 = hn::Floor(hn::Mul(promote(a[2]), size));
+        return hn::And(hn::And(hn::Eq(a0, a1), hn::Eq(a0, a2)), hn::Lt(hn::Abs(a0), hn::Set(Real{}, 0x1p50)));
+    };
+    if (!canvas.settings->skip(RasterSkip::one_texel)) return hn::FirstN(d, 0);
+    return hn::And(same(f.u, canvas.job->u_texels), same(f.v, canvas.job->v_texels));
+}
+
 /// Sets up the triangles whose indices stand in `batch`; those beyond `count` repeat one of them.
 HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
     const Real d;
@@ -407,6 +421,7 @@ HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
         s.most_x = hn::Max(hn::Abs(s.dx), hn::Abs(hn::Add(s.dx, s.width)));
         s.most_y = hn::Max(hn::Abs(s.dy), hn::Abs(hn::Add(s.dy, hn::Sub(r1, r0))));
         store_int(hn::IfThenElseZero(hn::Gt(s.area, hn::Zero(d)), hn::Set(d, 1.0)), batch.front.at + lane);
+        store_int(hn::IfThenElseZero(in_one_texel(f, canvas), hn::Set(d, 1.0)), batch.one_texel.at + lane);
         V nothing = hn::Zero(d);
         const auto affine = [&]() HWY_ATTR {
             return hn::And(coordinate(f.u, true, s, canvas, batch.u, lane),

@@ -61,6 +61,7 @@ HWY_NOINLINE void draw_slowly(int triangle, const Canvas& canvas) {
 /// Narrow vectors only where they are met most: each width is compiled anew.
 template <Addressing kAddressing, bool kDepth, bool kCertain>
 HWY_INLINE void draw_triangle(const Batch& b, int t, const Canvas& canvas) {
+    if (b.one_texel.at[t] != 0) return fill_rows<kDepth>(b, t, canvas);
     constexpr bool kMost = kAddressing == Addressing::powers;
     const hn::ScalableTag<uint32_t> wide;
     const hn::CappedTag<uint32_t, kMost ? 8 : hn::MaxLanes(wide)> medium;

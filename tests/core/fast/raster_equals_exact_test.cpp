@@ -277,6 +277,10 @@ TEST(RasterSkips, ChangeNoPixel) {
             if (k % 3 == 0)
                 for (Vertex& c : corners) c.w = 2, c.z = .3F;
             if (k % 4 == 0) corners[2] = corners[1];
+            if (k % 5 == 0)  // rows of one texel, in a triangle as wide as the picture
+                for (Vertex& c : corners) c.x *= 2, c.u = .02F * c.y, c.v = .3F - .01F * c.y;
+            if (k % 7 == 0)
+                for (Vertex& c : corners) c.u = .3F + 1e-6F * c.u, c.v = .7F;
             vertices.insert(vertices.end(), corners.begin(), corners.end());
         }
         RasterJob job = job_of(vertices, texture);
@@ -291,8 +295,11 @@ TEST(RasterSkips, ChangeNoPixel) {
             EXPECT_EQ(counters.of(skip.skip), 0U) << skip.id;
         }
         ASSERT_EQ(drawn(texture, job, without, {.skips = 0}), expected);
-        for (const RasterSkip skip : {RasterSkip::off_screen, RasterSkip::zero_area, RasterSkip::back_face})
+        for (const RasterSkip skip :
+             {RasterSkip::off_screen, RasterSkip::zero_area, RasterSkip::back_face, RasterSkip::one_texel})
             EXPECT_GT(with.of(skip), 0U) << static_cast<int>(skip);
+        const bool asked = !job.depth && !job.perspective;
+        EXPECT_EQ(with.of(RasterSkip::zero_gradient) > 0, asked);
     }
 }
 
