@@ -13,6 +13,12 @@ ImTextureID TextureCache::image(std::uint64_t key, std::uint64_t version, const 
     return held.id;
 }
 
+ImTextureID TextureCache::image(std::uint64_t key, std::uint64_t version, const MakePixels& make) {
+    const auto held = held_.find(key);
+    const bool known = held != held_.end() && held->second.id != nullptr && held->second.version == version;
+    return image(key, version, known ? Grid<Rgba>() : make());
+}
+
 void TextureCache::begin_frame() {
     ++frame_;
     for (auto it = held_.begin(); it != held_.end();) {

@@ -12,6 +12,7 @@ public:
     static constexpr int kFramesKept = 240;  ///< how long a picture is held that nobody asks for
 
     [[nodiscard]] ImTextureID image(std::uint64_t key, std::uint64_t version, const Grid<Rgba>& pixels) final;
+    [[nodiscard]] ImTextureID image(std::uint64_t key, std::uint64_t version, const MakePixels& make) final;
 
     /// Counts a frame, and lets go of what was not asked for in the last kFramesKept.
     void begin_frame();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include <imgui.h>
 
@@ -21,6 +22,9 @@ public:
     /// @param key      names the picture; one that is not asked for in many frames is forgotten.
     /// @param version  changes whenever the pixels do; they are read again only then.
     [[nodiscard]] virtual ImTextureID image(std::uint64_t key, std::uint64_t version, const Grid<Rgba>& pixels) = 0;
+    /// The same of pixels that are made only when they are read.
+    using MakePixels = std::function<Grid<Rgba>()>;
+    [[nodiscard]] virtual ImTextureID image(std::uint64_t key, std::uint64_t version, const MakePixels& make) = 0;
 };
 
 }  // namespace texelscope

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <set>
+#include <utility>
 
 #include "app/state/derived_cache.h"
 
@@ -72,6 +73,7 @@ void Derived::update(const State& state) {
     const bool drawing_same = scene_same && c.drawing && c.drawing->settings() == settings_of(state.work);
     const bool step_same = drawing_same && c.state.cursor == state.cursor && c.state.pinned == state.pinned;
     c.state = state;
+    const std::unique_ptr<Scene> last_scene = scene_same ? nullptr : std::move(c.scene);
     if (!scene_same) {
         c.faces.clear(), c.jelly.reset(), c.bills.reset();
         c.scene =
@@ -81,7 +83,8 @@ void Derived::update(const State& state) {
         const DrawSettings settings = settings_of(state.work);
         if (!c.drawing || c.drawing->settings().method != settings.method)
             c.listing = load_listing(settings.method->listing);
-        c.drawing = std::make_unique<Drawing>(*c.scene, settings);
+        const std::unique_ptr<Drawing> last = std::exchange(c.drawing, std::make_unique<Drawing>(*c.scene, settings));
+        last ? c.canvas.change(*last, *c.drawing) : c.canvas.forget();
         c.steps = std::make_unique<Steps>(*c.drawing);
         c.of_drawing = {};
     }

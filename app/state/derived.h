@@ -157,9 +157,11 @@ public:
     [[nodiscard]] FrameStrip frames() const;
 
     [[nodiscard]] const Image& final_picture() const;
-    /// How long the method took to draw it, nobody watching [ms]. Another each time, so for a person's eyes alone.
+    /// How long it took to draw, nobody watching [ms]. Another each time, so for a person's eyes alone.
     [[nodiscard]] double frame_time() const;
     [[nodiscard]] const CanvasPicture& canvas(const Window& window) const;
+    /// Cells of canvases drawn so far, in all: what stays the same from one drawing to the next is not drawn again.
+    [[nodiscard]] std::int64_t cells_drawn() const;
     /// How often the whole drawing writes each cell of the window, up to 255.
     [[nodiscard]] const Grid<std::uint8_t>& hits(const Window& window) const;
     [[nodiscard]] const ErrorMap& errors(const Window& window) const;
@@ -198,12 +200,10 @@ public:
     [[nodiscard]] std::optional<Path> last_write(glm::ivec2 pixel) const;
 
 private:
-    [[nodiscard]] int first_needed() const;
     /// Two whole numbers that the current unit has computed by now.
     [[nodiscard]] std::optional<glm::ivec2> whole_pair(std::string_view first, std::string_view second) const;
-    /// The canvas as it is before a shape's first sample, and which samples the shape is going to visit.
-    [[nodiscard]] const CanvasPicture& canvas_before(int shape, const Window& window) const;
-    /// The same of the current shape, where the canvas was last asked for the frame's every pixel; else null.
+    /// The canvas as it is before the current shape's first sample, and which samples that is going to visit; where
+    /// the canvas was last asked for the frame's every pixel, else null.
     [[nodiscard]] const CanvasPicture* whole_frame_in_view() const;
 
     struct Cache;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/state/derived.h"
+#include "app/state/kept_canvas.h"
 #include "app/state/lockstep.h"
-#include "core/method/layer.h"
 #include "core/method/two_pass_buffer.h"
 
 namespace texelscope {
@@ -33,13 +33,6 @@ struct Derived::Cache {
         std::optional<Image> final_picture;
         double frame_time = 0;  ///< that it took [ms]
         std::optional<std::vector<Notice>> notices;
-        std::optional<Layer> whole;  ///< the end of the drawing, over the canvas' window
-        /// The canvas before the first sample of a shape.
-        struct Before {
-            int shape = -1;
-            CanvasPicture canvas;
-        };
-        std::optional<Before> before;
         struct Hits {
             Window window;
             Grid<std::uint8_t> count;
@@ -60,13 +53,14 @@ struct Derived::Cache {
         std::optional<LineCounts> counts;
         std::optional<std::vector<Sample>> row;
         std::optional<RowError> row_error;
-        std::optional<CanvasPicture> canvas;
+        bool canvas = false;  ///< the canvas is as the step has it
         std::optional<std::vector<Lane>> lanes;
         std::optional<std::vector<MethodCost>> costs;
         std::optional<Lockstep> lockstep;
     };
     OfDrawing of_drawing;
     OfStep of_step;
+    KeptCanvas canvas;
     Window in_view;  ///< what the canvas was last asked for
     std::uint64_t version = 0;
 };

@@ -11,11 +11,6 @@ namespace {
 
 constexpr std::int64_t kMostCounted = 1 << 20;  ///< samples: counting more would hold up the step
 
-[[nodiscard]] glm::ivec2 cell_of(const Window& window, const Sample& s) {
-    return {(static_cast<int>(s.x) - window.rect.x0) / window.stride,
-            (static_cast<int>(s.y) - window.rect.y0) / window.stride};
-}
-
 /// Whether the sample is the cursor's own and its unit is not finished: it has not reached the framebuffer yet.
 [[nodiscard]] bool unfinished(const Cursor& cursor, const Visit& visit, int shape, const Sample& s) {
     const Path& step = cursor.step;
@@ -49,76 +44,38 @@ double Derived::frame_time() const {
 const CanvasPicture& Derived::canvas(const Window& wanted) const {
     const Window window{intersection(wanted.rect, scene().framebuffer.rect()), std::max(1, wanted.stride)};
     cache_->in_view = window;
-    auto& canvas = cache_->of_step.canvas;
-    if (canvas && canvas->window == window) return *canvas;
+    KeptCanvas& kept = cache_->canvas;
+    if (cache_->of_step.canvas && kept.step().window == window) return kept.step();
     const int current = shape();
-    canvas = canvas_before(current, window);
+    static_cast<void>(kept.before(drawing(), current, window));
+    kept.begin_step();
     if (current >= 0) {
         const Cursor& cursor = cache_->state.cursor;
-        LineCounts counts =
-            each_sample_until(drawing(), first_needed(), cursor.step, window, [&](int n, const Sample& s) {
-                if (n != current || unfinished(cursor, visit(), n, s)) return;
-                const glm::ivec2 at = cell_of(window, s);
-                CanvasCell& cell = canvas->cells.at(at.x, at.y);
-                cell.visited = true;
-                if (s.fate != Fate::written) return;
-                cell.now = blended(cell.now, s.colour, drawing().is_half(n));
-                cell.written = true;
-            });
+        const bool half = drawing().is_half(current);
+        // With a depth test a shape's samples follow only from all those before it.
+        const int first = scene().depth == Depth::less ? 0 : current;
+        LineCounts counts = each_sample_until(drawing(), first, cursor.step, window, [&](int n, const Sample& s) {
+            if (n != current || unfinished(cursor, visit(), n, s)) return;
+            CanvasCell& cell = kept.step_in(s);
+            cell.visited = true;
+            if (s.fate != Fate::written) return;
+            cell.now = blended(cell.now, s.colour, half);
+            cell.written = true;
+        });
         if (window == Window{scene().framebuffer.rect(), 1}) cache_->of_step.counts = std::move(counts);
     }
-    canvas->version = ++cache_->version;
-    return *canvas;
-}
-
-/// With a depth test a shape's samples follow only from all those before it.
-int Derived::first_needed() const { return scene().depth == Depth::less ? 0 : std::max(0, shape()); }
-
-const CanvasPicture& Derived::canvas_before(int shape, const Window& window) const {
-    auto& whole = cache_->of_drawing.whole;
-    auto& before = cache_->of_drawing.before;
-    const bool whole_known = whole && whole->window() == window;
-    if (whole_known && before && before->shape == shape) return before->canvas;
-    const int first = std::max(0, shape);
-    Layer so_far;
-    if (whole_known || !drawing().has_half() || scene().depth == Depth::less) {
-        if (!whole_known) whole = layer_of(drawing(), drawing().shape_count(), window);
-        so_far = layer_of(drawing(), first, window, &*whole);
-    } else {  // what blends is drawn in order: the end is the rest over what there is so far
-        so_far = layer_of(drawing(), first, window);
-        whole = so_far;
-        draw_over(drawing(), first, drawing().shape_count(), *whole);
-    }
-    const Rgb clear = scene().framebuffer.clear;
-    Grid<CanvasCell> cells(so_far.cells().width(), so_far.cells().height());
-    std::transform(so_far.cells().data(), so_far.cells().data() + so_far.cells().size(), whole->cells().data(),
-                   cells.data(), [clear](const LayerCell& now, const LayerCell& later) {
-                       CanvasCell cell;
-                       cell.written = now.shape >= 0, cell.will_be_written = later.shape >= 0;
-                       cell.now = cell.written ? now.colour : clear;
-                       cell.later = cell.will_be_written ? later.colour : clear;
-                       return cell;
-                   });
-    bool ghosts = false;
-    if (shape >= 0) {
-        each_sample(drawing(), first_needed(), shape + 1, window, [&](int n, const Sample& s) {
-            if (n != shape) return;
-            const glm::ivec2 at = cell_of(window, s);
-            CanvasCell& cell = cells.at(at.x, at.y);
-            cell.will_be_visited = true;
-            cell.fate = s.fate;
-            cell.note = s.note;
-            ghosts = ghosts || s.note == Note::ghost;
-        });
-    }
-    before = {shape, {window, std::move(cells), 0, ghosts}};
-    return before->canvas;
+    kept.finish_step(++cache_->version);
+    cache_->of_step.canvas = true;
+    return kept.step();
 }
 
 const CanvasPicture* Derived::whole_frame_in_view() const {
     const Window& window = cache_->in_view;
-    return window == Window{scene().framebuffer.rect(), 1} ? &canvas_before(shape(), window) : nullptr;
+    if (!(window == Window{scene().framebuffer.rect(), 1})) return nullptr;
+    return &cache_->canvas.before(drawing(), shape(), window);
 }
+
+std::int64_t Derived::cells_drawn() const { return cache_->canvas.cells_drawn(); }
 
 const Grid<std::uint8_t>& Derived::hits(const Window& window) const {
     auto& hits = cache_->of_drawing.hits;
@@ -127,8 +84,8 @@ const Grid<std::uint8_t>& Derived::hits(const Window& window) const {
     hits = {window, {cells(window.rect.width()), cells(window.rect.height())}};
     each_sample(drawing(), 0, drawing().shape_count(), window, [&](int, const Sample& s) {
         if (s.fate != Fate::written) return;
-        const glm::ivec2 at = cell_of(window, s);
-        std::uint8_t& count = hits->count.at(at.x, at.y);
+        std::uint8_t& count = hits->count.at((static_cast<int>(s.x) - window.rect.x0) / window.stride,
+                                             (static_cast<int>(s.y) - window.rect.y0) / window.stride);
         if (count < 255) ++count;
     });
     return hits->count;

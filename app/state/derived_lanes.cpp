@@ -88,11 +88,24 @@ std::vector<Lane> Derived::lanes() const {
         auto& kinds = cache_->of_drawing.rows[{shape(), part_at(step, 1).value_or(0)}];
         if (kinds.empty()) {
             kinds.assign(static_cast<std::size_t>(rows.count), TickKind::rejected);
-            each_sample(drawing(), shape(), shape() + 1, {frame, 1}, [&](int, const Sample& s) {
-                const Integer at = (s.y - rows.first) * rows.step;
-                if (s.fate == Fate::written && at >= 0 && at < rows.count)
-                    kinds[static_cast<std::size_t>(at)] = TickKind::covered;
-            });
+            const auto cover = [&](Integer y) {
+                const Integer at = (y - rows.first) * rows.step;
+                if (at >= 0 && at < rows.count) kinds[static_cast<std::size_t>(at)] = TickKind::covered;
+            };
+            const CanvasPicture* const all = whole_frame_in_view();
+            if (all != nullptr && scene().depth == Depth::off && !method().may_stray(drawing().settings().quirks)) {
+                const Rect reach = drawing().reach(shape());
+                for (int y = reach.y0; y < reach.y1; ++y)
+                    for (int x = reach.x0; x < reach.x1; ++x)
+                        if (all->cells.at(x - frame.x0, y - frame.y0).fate == Fate::written) {
+                            cover(y);
+                            break;
+                        }
+            } else {
+                each_sample(drawing(), shape(), shape() + 1, {frame, 1}, [&](int, const Sample& s) {
+                    if (s.fate == Fate::written) cover(s.y);
+                });
+            }
         }
         rows.kinds = kinds;
     }

@@ -107,11 +107,11 @@ Highlight Derived::highlight(const Selection& selection) const {
             std::vector<PixelFate> samples;
             samples.reserve(kMostLinked);
             if (const CanvasPicture* all = whole_frame_in_view(); all != nullptr && current >= 0) {
-                const glm::ivec2 origin(all->window.rect.x0, all->window.rect.y0);
-                for (int y = 0; y < all->cells.height(); ++y)
-                    for (int x = 0; x < all->cells.width() && samples.size() < kMostLinked; ++x)
-                        if (const CanvasCell& cell = all->cells.at(x, y); cell.will_be_visited)
-                            samples.push_back({origin + glm::ivec2(x, y), cell.fate});
+                const Rect frame = all->window.rect, reach = drawing().reach(current);
+                for (int y = reach.y0; y < reach.y1; ++y)
+                    for (int x = reach.x0; x < reach.x1 && samples.size() < kMostLinked; ++x)
+                        if (const CanvasCell& cell = all->cells.at(x - frame.x0, y - frame.y0); cell.will_be_visited)
+                            samples.push_back({{x, y}, cell.fate});
             } else {
                 each_of_shape([&](const Sample& s, glm::ivec2 pixel) {
                     if (samples.size() < kMostLinked) samples.push_back({pixel, s.fate});

@@ -63,6 +63,20 @@ constexpr float kCoveredFill = .66F, kRejectedFill = .85F, kEarlierFill = .30F, 
     return pixels;
 }
 
+/// Another one whenever shown() may give other pixels.
+[[nodiscard]] std::uint64_t version_of(const Sheet& sheet, Rgba empty) {
+    const Look& look = sheet.ctx.state.look;
+    const auto word = [](Rgba c) { return static_cast<std::uint64_t>(c.r | c.g << 8 | c.b << 16) << 8 | c.a; };
+    std::uint64_t hash = sheet.picture.version;
+    for (const std::uint64_t part :
+         {static_cast<std::uint64_t>(sheet.planes) | static_cast<std::uint64_t>(sheet.secret) << 1 |
+              static_cast<std::uint64_t>(look.hits) << 2,
+          word(empty), std::uint64_t{sheet.color(Role::covered)}, std::uint64_t{sheet.color(Role::rejected)},
+          std::uint64_t{sheet.color(Role::error)}})
+        hash = hash * 0x9E3779B97F4A7C15ULL + part;
+    return hash | 1U;
+}
+
 /// A range of columns of one row, in the samples that the current shape visits.
 struct Reach {
     int first = 0, last = -1;
@@ -179,8 +193,8 @@ void draw_picture(const Sheet& sheet) {
     if (cells.empty() || window.rect.empty()) return;
     const Rgb clear = sheet.ctx.derived.scene().framebuffer.clear;
     const Rgba empty = clear == Rgb{} || sheet.planes ? Rgba{0, 0, 0, 0} : rgba(clear, 1);
-    const Grid<Rgba> pixels = shown(sheet, empty);
-    const ImTextureID id = sheet.ctx.textures.image(ui::id_of("canvas picture"), version_of(pixels), pixels);
+    const ImTextureID id = sheet.ctx.textures.image(ui::id_of("canvas picture"), version_of(sheet, empty),
+                                                    [&] { return shown(sheet, empty); });
     const ui::Area place = sheet.map.place_of(window.rect);
     // The last cell may stand for fewer pixels than the others.
     const float u = static_cast<float>(window.rect.width()) / static_cast<float>(cells.width() * window.stride);

@@ -6,6 +6,7 @@
 #include "core/geometry/polygon.h"
 #include "core/method/blend.h"
 #include "core/method/depth.h"
+#include "core/method/fast_picture.h"
 #include "core/method/shortcut.h"
 
 namespace texelscope {
@@ -171,28 +172,32 @@ Image render(const Drawing& drawing) {
     return picture;
 }
 
-void draw_into(const Drawing& drawing, Image& picture) {
-    const Scene& scene = drawing.scene();
-    const Rect frame = scene.framebuffer.rect();
-    TEXELSCOPE_ASSERT(picture.width() == frame.width() && picture.height() == frame.height());
-    const auto draw_sample = [&](int shape, const Sample& s) {
+namespace {
+
+/// Shapes [first, last) by their samples.
+void draw_samples(const Drawing& drawing, int first, int last, Image& picture) {
+    const Rect frame = drawing.scene().framebuffer.rect();
+    each_sample(drawing, first, last, {frame, 1}, [&](int shape, const Sample& s) {
         if (s.fate != Fate::written) return;
         Rgb& pixel = picture.at(static_cast<int>(s.x) - frame.x0, static_cast<int>(s.y) - frame.y0);
         pixel = blended(pixel, s.colour, drawing.is_half(shape));
-    };
-    if (scene.depth == Depth::less) {
-        return each_sample(drawing, 0, drawing.shape_count(), {frame, 1}, draw_sample);
-    }
-    const Shortcut* const shortcut = shortcut_of(*drawing.settings().method);
-    if (shortcut != nullptr && shortcut->picture != nullptr && !drawing.has_half())
-        return shortcut->picture(drawing, picture);
-    for (int n = 0; n < drawing.shape_count(); ++n) {
-        if (drawing.refusal(n) != Fate::written || !drawing.touches(n, frame)) continue;
-        if (drawing.is_half(n))
-            each_sample(drawing, n, n + 1, {frame, 1}, draw_sample);
-        else
-            drawing.settings().method->render(drawing.settings().format, drawing.job(n), picture);
-    }
+    });
+}
+
+}  // namespace
+
+void draw_into(const Drawing& drawing, Image& picture) {
+    TEXELSCOPE_ASSERT(picture.width() == drawing.scene().framebuffer.width);
+    TEXELSCOPE_ASSERT(picture.height() == drawing.scene().framebuffer.height);
+    if (drawing.scene().depth == Depth::less) return draw_samples(drawing, 0, drawing.shape_count(), picture);
+    if (draws_the_same_as_fast(drawing.settings())) return draw_fast(drawing, picture);
+    for (int n = 0; n < drawing.shape_count(); ++n) draw_shape(drawing, n, picture);
+}
+
+void draw_shape(const Drawing& drawing, int shape, Image& picture) {
+    if (drawing.is_half(shape)) return draw_samples(drawing, shape, shape + 1, picture);
+    if (drawing.refusal(shape) != Fate::written || !drawing.touches(shape, drawing.scene().framebuffer.rect())) return;
+    drawing.settings().method->render(drawing.settings().format, drawing.job(shape), picture);
 }
 
 void each_sample(const Drawing& drawing, int first, int last, const Window& window, const PutInShape& put) {

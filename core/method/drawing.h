@@ -68,6 +68,8 @@ private:
 [[nodiscard]] Image render(const Drawing& drawing);
 /// The same over what stands in `picture`, which is as large as the frame.
 void draw_into(const Drawing& drawing, Image& picture);
+/// One shape over what stands in `picture`, by its own method's loops. Not for a scene with a depth test.
+void draw_shape(const Drawing& drawing, int shape, Image& picture);
 
 using PutInShape = std::function<void(int shape, const Sample&)>;
 /// Every sample of shapes [first, last) inside the window, in drawing order, the depth test applied (it needs
@@ -78,6 +80,9 @@ void each_sample(const Drawing& drawing, int first, int last, const Window& wind
 /// @return  how often each line of the listing ran in the last shape.
 LineCounts each_sample_until(const Drawing& drawing, int first, const Path& path, const Window& window,
                              const PutInShape& put);
+
+/// Puts a written sample of the layer's window over what stands there.
+void add_sample(const Drawing& drawing, int shape, const Sample& s, Layer& layer);
 
 /// One unit, recorded. A path whose shape does not exist is not found.
 [[nodiscard]] Visit visit(const Drawing& drawing, const Path& path);

@@ -37,12 +37,6 @@ void each_texel(const Job& job, const Window& part, auto&& put) {
     }
 }
 
-/// As Layer::put wants a sample.
-struct Painted {
-    Rgb texel;
-    Fate fate = Fate::written;
-};
-
 [[nodiscard]] const Method& definition() {
     static const Method& method = *find_method(kDefinition);
     return method;

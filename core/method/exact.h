@@ -19,6 +19,12 @@ namespace texelscope {
 /// What a light makes of each value of a channel, exactly: the product has 32 bits.
 [[nodiscard]] std::array<std::uint8_t, 256> exactly_lit(const Job& job);
 
+/// A written sample as Layer::put wants it.
+struct Painted {
+    Rgb texel;
+    Fate fate = Fate::written;
+};
+
 [[nodiscard]] Fate render_exactly(const Job& job, Image& picture);
 [[nodiscard]] Fate paint_exactly(const Job& job, const Window& part, int shape, Layer& layer);
 

@@ -4,17 +4,18 @@
 
 #include "core/method/blend.h"
 #include "core/method/drawing.h"
+#include "core/method/fast_picture.h"
 
 namespace texelscope {
 namespace {
 
 constexpr int kTile = 32;  ///< cells each way
 
-/// The cells of a layer in squares, and which of these have cells that no shape has written so far.
+/// The cells of a layer in squares, and which of these have cells that no shape from `first` on has written so far.
 class Tiles {
 public:
-    explicit Tiles(const Layer& layer)
-        : layer_(layer), open_(in_tiles(layer.cells().width()), in_tiles(layer.cells().height())) {
+    Tiles(const Layer& layer, int first)
+        : layer_(layer), first_(first), open_(in_tiles(layer.cells().width()), in_tiles(layer.cells().height())) {
         for (int y = 0; y < open_.height(); ++y)
             for (int x = 0; x < open_.width(); ++x) look_at(x, y);
     }
@@ -48,27 +49,45 @@ private:
         bool open = false;
         for (int row = y * kTile; row < last_row && !open; ++row) {
             const LayerCell* const from = &cells.at(first, row);
-            open = std::any_of(from, from + count, [](const LayerCell& cell) { return cell.shape < 0; });
+            open = std::any_of(from, from + count, [&](const LayerCell& cell) { return cell.shape < first_; });
         }
         open_count_ += static_cast<int>(open) - open_.at(x, y);
         open_.at(x, y) = open ? 1 : 0;
     }
 
     const Layer& layer_;
+    int first_;
     Grid<std::uint8_t> open_;
     int open_count_ = 0;
 };
 
-/// Shapes in their order, as a depth test needs them.
-void draw_by_depth(const Drawing& drawing, int last, Layer& layer) {
-    const Window& window = layer.window();
-    const Rgb clear = drawing.scene().framebuffer.clear;
-    each_sample(drawing, 0, last, window, [&](int shape, const Sample& s) {
-        if (s.fate != Fate::written) return;
-        LayerCell& cell = layer.cells().at((static_cast<int>(s.x) - window.rect.x0) / window.stride,
-                                           (static_cast<int>(s.y) - window.rect.y0) / window.stride);
-        cell = {blended(cell.shape < 0 ? clear : cell.colour, s.colour, drawing.is_half(shape)), shape};
-    });
+void paint(const Drawing& drawing, int shape, const Window& part, Layer& layer) {
+    const DrawSettings& settings = drawing.settings();
+    const Job job = drawing.job(shape);
+    if (draws_the_same_as_fast(settings, job))
+        (void)paint_fast(settings, job, part, shape, layer);
+    else
+        settings.method->paint(settings.format, job, part, shape, layer);
+}
+
+void draw_in_order(const Drawing& drawing, int first, int last, Layer& layer) {
+    for (int n = first; n < last; ++n)
+        if (drawing.refusal(n) == Fate::written && drawing.touches(n, layer.window().rect))
+            paint(drawing, n, layer.window(), layer);
+}
+
+/// The same from the last to the first: where one stands no other is drawn.
+void draw_from_last(const Drawing& drawing, int first, int last, Layer& layer) {
+    if (first >= last) return;
+    Tiles tiles(layer, first);
+    const bool may_stray = drawing.settings().method->may_stray(drawing.settings().quirks);
+    for (int n = last - 1; n >= first && tiles.any_open(); --n) {
+        if (drawing.refusal(n) != Fate::written) continue;
+        if (may_stray)
+            paint(drawing, n, layer.window(), layer);  // it may put samples anywhere
+        else
+            tiles.each_open(drawing.reach(n), [&](const Window& part) { paint(drawing, n, part, layer); });
+    }
 }
 
 }  // namespace
@@ -84,42 +103,39 @@ Layer::Layer(const Window& window, Rgb clear) : window_(window), clear_(clear) {
     cells_ = {columns, cells_of(window.rect.height(), columns, row_)};
 }
 
+void add_sample(const Drawing& drawing, int shape, const Sample& s, Layer& layer) {
+    const Window& window = layer.window();
+    LayerCell& cell = layer.cells().at((static_cast<int>(s.x) - window.rect.x0) / window.stride,
+                                       (static_cast<int>(s.y) - window.rect.y0) / window.stride);
+    const Rgb before = cell.shape < 0 ? drawing.scene().framebuffer.clear : cell.colour;
+    cell = {blended(before, s.colour, drawing.is_half(shape)), shape};
+}
+
 void draw_over(const Drawing& drawing, int first, int last, Layer& layer) {
     TEXELSCOPE_ASSERT(drawing.scene().depth == Depth::off);
-    const DrawSettings& settings = drawing.settings();
-    for (int n = first; n < last; ++n)
-        if (drawing.refusal(n) == Fate::written && drawing.touches(n, layer.window().rect))
-            settings.method->paint(settings.format, drawing.job(n), layer.window(), n, layer);
+    drawing.has_half() ? draw_in_order(drawing, first, last, layer) : draw_from_last(drawing, first, last, layer);
 }
 
 Layer layer_of(const Drawing& drawing, int last, const Window& window, const Layer* more) {
     Layer layer(window, drawing.scene().framebuffer.clear);
     if (last <= 0) return layer;
-    if (drawing.scene().depth == Depth::less) return draw_by_depth(drawing, last, layer), layer;
-    if (drawing.has_half()) return draw_over(drawing, 0, last, layer), layer;
+    if (drawing.scene().depth == Depth::less) {
+        each_sample(drawing, 0, last, window, [&](int shape, const Sample& s) {
+            if (s.fate == Fate::written) add_sample(drawing, shape, s, layer);
+        });
+        return layer;
+    }
+    if (more == nullptr || drawing.has_half()) return draw_over(drawing, 0, last, layer), layer;
     // What no later shape wrote stands there already; a later one's cells are drawn again.
     constexpr std::int32_t kBlank = 1 << 30;
-    if (more != nullptr) {
-        std::transform(more->cells().data(), more->cells().data() + more->cells().size(), layer.cells().data(),
-                       [&](const LayerCell& cell) {
-                           if (cell.shape >= last) return LayerCell{};
-                           return cell.shape < 0 ? LayerCell{{}, kBlank} : cell;
-                       });
-    }
-    Tiles tiles(layer);
-    const Method& method = *drawing.settings().method;
-    for (int n = last - 1; n >= 0 && tiles.any_open(); --n) {
-        if (drawing.refusal(n) != Fate::written) continue;
-        const Job job = drawing.job(n);
-        if (method.may_stray(job.quirks)) {
-            method.paint(drawing.settings().format, job, window, n, layer);  // it may have put samples anywhere
-            continue;
-        }
-        tiles.each_open(drawing.reach(n),
-                        [&](const Window& part) { method.paint(drawing.settings().format, job, part, n, layer); });
-    }
-    if (more == nullptr) return layer;
-    for (LayerCell* cell = layer.cells().data(); cell != layer.cells().data() + layer.cells().size(); ++cell)
+    LayerCell* const first = layer.cells().data();
+    std::transform(more->cells().data(), more->cells().data() + more->cells().size(), first,
+                   [&](const LayerCell& cell) {
+                       if (cell.shape >= last) return LayerCell{};
+                       return cell.shape < 0 ? LayerCell{{}, kBlank} : cell;
+                   });
+    draw_over(drawing, 0, last, layer);
+    for (LayerCell* cell = first; cell != first + layer.cells().size(); ++cell)
         if (cell->shape == kBlank) cell->shape = -1;
     return layer;
 }

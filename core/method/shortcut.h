@@ -3,18 +3,13 @@
 
 #include <string_view>
 
-#include "core/image/image.h"
 #include "core/method/method.h"
 
 namespace texelscope {
 
-class Drawing;
-
 struct Shortcut {
     const Method* method = nullptr;
     std::string_view steps_of;  ///< id of the method whose steps it shows, corrected and in exact numbers
-    /// Draws a whole scene without depth test and half-transparent shapes at once; null: it is drawn shape by shape.
-    void (*picture)(const Drawing&, Image&) = nullptr;
 };
 
 /// Null for methods that show what they do.
