@@ -9,7 +9,7 @@
 namespace texelscope {
 namespace {
 
-constexpr std::int64_t kMostCounted = 1 << 20;  ///< samples: counting more would hold up the step
+constexpr std::int64_t kDerivedCanvasMostCounted = 1 << 20;  ///< samples: counting more would hold up the step
 
 [[nodiscard]] glm::ivec2 cell_of(const Window& window, const Sample& s) {
     return {(static_cast<int>(s.x) - window.rect.x0) / window.stride,
@@ -140,7 +140,7 @@ const LineCounts& Derived::line_counts() const {
     counts.emplace();
     if (shape() < 0) return *counts;
     const Rect reach = drawing().reach(shape());
-    if (std::int64_t{reach.width()} * reach.height() > kMostCounted) return *counts;
+    if (std::int64_t{reach.width()} * reach.height() > kDerivedCanvasMostCounted) return *counts;
     counts = method().until(drawing().settings().format, drawing().job(shape()), {scene().framebuffer.rect(), 1},
                             cache_->state.cursor.step, [](const Sample&) {});
     return *counts;

@@ -15,7 +15,7 @@
 #include "core/base/file.h"
 #include "core/scene/json.h"
 
-namespace texelscope {
+namespace texelscope::lessons_test {
 namespace {
 
 const std::filesystem::path kRoot = TEXELSCOPE_SOURCE_DIR;
@@ -307,4 +307,4 @@ TEST(Lessons, TheFiguresOfTheCurriculumHold) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::lessons_test

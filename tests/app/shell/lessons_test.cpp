@@ -6,7 +6,7 @@
 #include "app/state/link.h"
 #include "tests/app/shell/laws.h"
 
-namespace texelscope {
+namespace texelscope::shell_lessons_test {
 namespace {
 
 [[nodiscard]] std::vector<Lesson> lessons() {
@@ -75,4 +75,4 @@ TEST(Lessons, LinkStaysShort) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::shell_lessons_test

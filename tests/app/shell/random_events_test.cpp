@@ -5,7 +5,7 @@
 #include "app/platform/scripted_input.h"
 #include "tests/app/shell/laws.h"
 
-namespace texelscope {
+namespace texelscope::random_events_test {
 namespace {
 
 constexpr int kEvents = 10000, kBetweenChecks = 250;
@@ -82,4 +82,4 @@ TEST(RandomEvents, ThreeEscapesReturnToTheCanvasFromAnywhere) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::random_events_test

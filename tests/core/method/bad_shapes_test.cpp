@@ -6,7 +6,7 @@
 #include "core/method/steps.h"
 #include "tests/core/method/cases.h"
 
-namespace texelscope {
+namespace texelscope::bad_shapes_test {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -170,4 +170,4 @@ TEST(BadShapes, AShapeOfOnePixelIsThatPixel) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::bad_shapes_test

@@ -7,7 +7,7 @@
 #include "core/method/steps.h"
 #include "tests/core/method/cases.h"
 
-namespace texelscope {
+namespace texelscope::replay_test {
 namespace {
 
 using laws::Case;
@@ -216,4 +216,4 @@ TEST(Replay, LineCountsGrowFromStepToStep) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::replay_test

@@ -9,7 +9,7 @@
 #include "core/measure/reference.h"
 #include "tests/core/method/cases.h"
 
-namespace texelscope {
+namespace texelscope::shortcut_test {
 namespace {
 
 [[nodiscard]] DrawSettings settings_of(std::string_view id) {
@@ -114,4 +114,4 @@ TEST(Shortcut, ManyShapesAreDrawnInTheirOrder) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::shortcut_test

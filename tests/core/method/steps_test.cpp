@@ -7,7 +7,7 @@
 
 #include "tests/core/method/cases.h"
 
-namespace texelscope {
+namespace texelscope::steps_test {
 namespace {
 
 using laws::Case;
@@ -167,4 +167,4 @@ TEST(Steps, AnEmptySceneHasNone) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::steps_test

@@ -7,7 +7,7 @@
 #include "tests/core/method/cases.h"
 #include "tests/core/trace/evaluate.h"
 
-namespace texelscope {
+namespace texelscope::expression_test {
 namespace {
 
 using laws::Case;
@@ -110,4 +110,4 @@ TEST(Expression, BracketsStandWhereTheOrderNeedsThem) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::expression_test
