@@ -10,8 +10,17 @@ import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
-GCC_ONLY = {"-Wno-restrict", "-Wno-stringop-overflow", "-Wno-array-bounds", "-fpch-preprocess", "-Winvalid-pch"}
+GCC_ONLY = {"-Wno-restrict", "-Wno-stringop-overflow", "-Wno-array-bounds"}
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+
+def is_own(file, build):
+    """One of the program's sources, or what CMake made of several of them. Those that only instantiate the methods
+    once more (core/method/*_recorded.cpp) say nothing that the methods' other files do not."""
+    if "texelscope_recorded.dir" in file.parts:
+        return False
+    made = file.name.startswith("unity_")
+    return any(file.is_relative_to((build if made else ROOT) / folder) for folder in ("core", "app"))
 
 
 def commands(build):
@@ -19,12 +28,10 @@ def commands(build):
     kept = []
     for entry in json.loads((build / "compile_commands.json").read_text()):
         file = pathlib.Path(entry["file"])
-        if file.parts[: len(ROOT.parts)] != ROOT.parts or file.relative_to(ROOT).parts[0] not in ("core", "app"):
+        if not is_own(file, build.resolve()):
             continue
         words = [w for w in shlex.split(entry["command"]) if not w.endswith("ccache") and w not in GCC_ONLY]
         words[0] = "clang++"
-        while "-include" in words:  # the precompiled header, which is gcc's; each file includes what it uses
-            del words[words.index("-include") : words.index("-include") + 2]
         kept.append({"directory": entry["directory"], "file": str(file), "arguments": words})
     return kept
 

@@ -24,7 +24,7 @@
 #include "core/measure/workloads.h"
 #include "core/scene/triangles_scene.h"
 
-namespace texelscope {
+namespace texelscope::bench_command {
 namespace {
 
 constexpr int kLeastReps = 5, kMostReps = 1'000'000;
@@ -64,7 +64,7 @@ Result<TrianglesFile> triangles_of(const std::string& target) {
 struct Lane {
     std::string name;  ///< its stem
     std::size_t triangles = 0;
-    std::unique_ptr<Racer> racer;
+    std::unique_ptr<BenchRacer> racer;
     std::vector<double> times;  ///< [ms]
 };
 
@@ -164,8 +164,8 @@ std::function<int()> define(CLI::App& app) {
     return [options] { return run(*options); };
 }
 
-constexpr Command kCommand{"bench", "time the drawing of triangles", define};
+constexpr Subcommand kCommand{"bench", "time the drawing of triangles", define};
 const RegisterCommand kRegistered(kCommand);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::bench_command

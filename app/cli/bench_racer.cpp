@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kMostInScene = 2'000'000;  ///< triangles; as polygons of a scene they take 300 bytes each
 constexpr int kPadding = 16;                     ///< beyond each row: rows then are no power of two apart
 
-class FastRacer final : public Racer {
+class FastRacer final : public BenchRacer {
 public:
     FastRacer(TrianglesFile file, const Image& texels, const RasterSettings& settings)
         : file_(std::move(file)),
@@ -78,7 +78,7 @@ private:
     RasterCounters counters_;
 };
 
-class MethodRacer final : public Racer {
+class MethodRacer final : public BenchRacer {
 public:
     MethodRacer(const TrianglesFile& file, Image texels, const DrawSettings& settings)
         : scene_(scene_of(file, std::move(texels))),
@@ -129,19 +129,19 @@ Result<RasterSettings> fast_settings(const DrawOptions& options) {
 
 }  // namespace
 
-Result<std::unique_ptr<Racer>> make_racer(TrianglesFile file, Image texels, const DrawOptions& options,
-                                          const std::string& name) {
+Result<std::unique_ptr<BenchRacer>> make_racer(TrianglesFile file, Image texels, const DrawOptions& options,
+                                               const std::string& name) {
     if (options.method == kFastMethod) {
         const auto settings = fast_settings(options);
         if (!settings) return settings.error();
-        return std::unique_ptr<Racer>(std::make_unique<FastRacer>(std::move(file), texels, *settings));
+        return std::unique_ptr<BenchRacer>(std::make_unique<FastRacer>(std::move(file), texels, *settings));
     }
     const auto settings = draw_settings(options);
     if (!settings) return settings.error();
     if (file.vertices.size() / 3 > kMostInScene)
         return Error{name, fmt::format("there are {} triangles, expected at most {} for the method {}",
                                        file.vertices.size() / 3, kMostInScene, options.method)};
-    return std::unique_ptr<Racer>(std::make_unique<MethodRacer>(file, std::move(texels), *settings));
+    return std::unique_ptr<BenchRacer>(std::make_unique<MethodRacer>(file, std::move(texels), *settings));
 }
 
 }  // namespace texelscope

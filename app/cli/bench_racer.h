@@ -15,12 +15,12 @@ namespace texelscope {
 
 inline constexpr std::string_view kFastMethod = "fast";  ///< core/fast/raster.h; other ids are methods()
 
-class Racer {
+class BenchRacer {
 public:
-    Racer() = default;
-    Racer(const Racer&) = delete;
-    Racer& operator=(const Racer&) = delete;
-    virtual ~Racer() = default;
+    BenchRacer() = default;
+    BenchRacer(const BenchRacer&) = delete;
+    BenchRacer& operator=(const BenchRacer&) = delete;
+    virtual ~BenchRacer() = default;
     virtual void clear() = 0;  ///< makes the framebuffer ready for the next draw
     virtual void draw() = 0;   ///< what is timed
     [[nodiscard]] virtual Image picture() const = 0;
@@ -32,7 +32,7 @@ public:
 
 /// Fails where the options are wrong, or what they name cannot draw these triangles.
 /// @param name  of the triangles, for the error.
-Result<std::unique_ptr<Racer>> make_racer(TrianglesFile file, Image texels, const DrawOptions& options,
-                                          const std::string& name);
+Result<std::unique_ptr<BenchRacer>> make_racer(TrianglesFile file, Image texels, const DrawOptions& options,
+                                               const std::string& name);
 
 }  // namespace texelscope

@@ -6,7 +6,7 @@
 #include "app/cli/command.h"
 #include "app/shell/check.h"
 
-namespace texelscope {
+namespace texelscope::check_command {
 namespace {
 
 int check(const std::vector<std::string>& files) {
@@ -30,8 +30,8 @@ std::function<int()> define(CLI::App& app) {
     return [files] { return check(*files); };
 }
 
-const Command kCommand{"check", "Whether every step, view, prediction and link of a lesson works", define};
+const Subcommand kCommand{"check", "Whether every step, view, prediction and link of a lesson works", define};
 const RegisterCommand kRegistered(kCommand);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::check_command

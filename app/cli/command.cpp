@@ -8,12 +8,12 @@
 namespace texelscope {
 namespace {
 
-std::vector<const Command*>& registry() {
-    static std::vector<const Command*> registry;
+std::vector<const Subcommand*>& registry() {
+    static std::vector<const Subcommand*> registry;
     return registry;
 }
 
-bool is_before(const Command* command, std::string_view name) { return command->name < name; }
+bool is_before(const Subcommand* command, std::string_view name) { return command->name < name; }
 
 /// Scripts read line by line: whatever a file name holds, a message is one line.
 void print_line(std::string line) {
@@ -26,14 +26,14 @@ void print_line(std::string line) {
 
 }  // namespace
 
-std::span<const Command* const> commands() { return registry(); }
+std::span<const Subcommand* const> commands() { return registry(); }
 
-const Command* find_command(std::string_view name) {
+const Subcommand* find_command(std::string_view name) {
     const auto found = std::lower_bound(registry().begin(), registry().end(), name, is_before);
     return found != registry().end() && (*found)->name == name ? *found : nullptr;
 }
 
-RegisterCommand::RegisterCommand(const Command& command) {
+RegisterCommand::RegisterCommand(const Subcommand& command) {
     registry().insert(std::lower_bound(registry().begin(), registry().end(), command.name, is_before), &command);
 }
 

@@ -17,20 +17,20 @@ inline constexpr int kExitDone = 0;
 inline constexpr int kExitCheckFailed = 1;
 inline constexpr int kExitBadInput = 2;
 
-struct Command {
+struct Subcommand {
     std::string_view name, summary;
     /// Adds the options to `app`; what it returns does the work once they are read, and gives the exit code.
     std::function<int()> (*define)(CLI::App& app);
 };
 
 /// In order of their names. Filled before main by RegisterCommand.
-[[nodiscard]] std::span<const Command* const> commands();
+[[nodiscard]] std::span<const Subcommand* const> commands();
 /// Null where there is none of that name.
-[[nodiscard]] const Command* find_command(std::string_view name);
+[[nodiscard]] const Subcommand* find_command(std::string_view name);
 
 /// The command must live as long as the program.
 struct RegisterCommand {
-    explicit RegisterCommand(const Command& command);
+    explicit RegisterCommand(const Subcommand& command);
 };
 
 /// Prints "texelscope: FILE:LINE: what" as one line on stderr and gives the exit code for bad input.

@@ -41,7 +41,7 @@ int parse_and_run(CLI::App& app, Arguments arguments, const std::function<int()>
 
 std::string overview() {
     std::string text = "\nSubcommands (each has --help):\n";
-    for (const Command* command : commands()) text += fmt::format("  {:<26}{}\n", command->name, command->summary);
+    for (const Subcommand* command : commands()) text += fmt::format("  {:<26}{}\n", command->name, command->summary);
     return text;
 }
 
@@ -64,7 +64,7 @@ int run_window(const Arguments& arguments) {
     });
 }
 
-int run_command(const Command& command, const Arguments& arguments) {
+int run_command(const Subcommand& command, const Arguments& arguments) {
     CLI::App app(std::string(command.summary), "texelscope " + std::string(command.name));
     return parse_and_run(app, arguments, command.define(app));
 }
@@ -78,7 +78,7 @@ bool is_command_word(const std::string& word) {
 
 int no_such_command(const std::string& word) {
     std::vector<std::string_view> names;
-    for (const Command* command : commands()) names.push_back(command->name);
+    for (const Subcommand* command : commands()) names.push_back(command->name);
     const std::string_view near = nearest_word(word, names);
     const std::string hint = near.empty() ? fmt::format("expected {}, or a file", fmt::join(names, ", "))
                                           : fmt::format("did you mean '{}'?", near);
@@ -87,7 +87,7 @@ int no_such_command(const std::string& word) {
 
 int run(const Arguments& arguments) {
     if (arguments.empty() || arguments[0].empty() || arguments[0][0] == '-') return run_window(arguments);
-    if (const Command* command = find_command(arguments[0]))
+    if (const Subcommand* command = find_command(arguments[0]))
         return run_command(*command, {arguments.begin() + 1, arguments.end()});
     if (is_command_word(arguments[0])) return no_such_command(arguments[0]);
     return run_window(arguments);

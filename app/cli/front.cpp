@@ -19,7 +19,7 @@
 #include "core/base/file.h"
 #include "core/image/load.h"
 
-namespace texelscope {
+namespace texelscope::front_command {
 namespace {
 
 constexpr int kLeastRounds = 5, kMostRounds = 1000;
@@ -179,8 +179,8 @@ std::function<int()> define(CLI::App& app) {
     return [options] { return run(*options); };
 }
 
-constexpr Command kCommand{"front", "run time against error for every method and number format", define};
+constexpr Subcommand kCommand{"front", "run time against error for every method and number format", define};
 const RegisterCommand kRegistered(kCommand);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::front_command

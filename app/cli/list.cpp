@@ -16,7 +16,7 @@
 #include "core/scene/jelly_quirk.h"
 #include "core/trace/listing.h"
 
-namespace texelscope {
+namespace texelscope::list_command {
 namespace {
 
 /// What is listed: columns for people, and the same as an object for scripts.
@@ -170,8 +170,8 @@ std::function<int()> define(CLI::App& app) {
     return [options] { return run(*options); };
 }
 
-constexpr Command kCommand{"list", "list lessons, methods, numbers, views or quirks", define};
+constexpr Subcommand kCommand{"list", "list lessons, methods, numbers, views or quirks", define};
 const RegisterCommand kRegistered(kCommand);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::list_command

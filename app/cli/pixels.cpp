@@ -13,7 +13,7 @@
 #include "app/cli/output.h"
 #include "app/cli/scene_stream.h"
 
-namespace texelscope {
+namespace texelscope::pixels_command {
 namespace {
 
 constexpr std::size_t kBlock = 1 << 16;  ///< written at once [bytes]
@@ -90,8 +90,8 @@ std::function<int()> define(CLI::App& app) {
     return [options] { return run(*options); };
 }
 
-constexpr Command kCommand{"pixels", "print every sample drawn as CSV", define};
+constexpr Subcommand kCommand{"pixels", "print every sample drawn as CSV", define};
 const RegisterCommand kRegistered(kCommand);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::pixels_command

@@ -14,7 +14,7 @@
 #include "core/image/load.h"
 #include "core/image/reduce.h"
 
-namespace texelscope {
+namespace texelscope::render_command {
 namespace {
 
 struct Options {
@@ -71,8 +71,8 @@ std::function<int()> define(CLI::App& app) {
     return [options] { return run(*options); };
 }
 
-constexpr Command kCommand{"render", "draw a scene's picture as a PNG", define};
+constexpr Subcommand kCommand{"render", "draw a scene's picture as a PNG", define};
 const RegisterCommand kRegistered(kCommand);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::render_command

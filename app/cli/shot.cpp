@@ -11,7 +11,7 @@
 #include "core/base/file.h"
 #include "core/image/load.h"
 
-namespace texelscope {
+namespace texelscope::shot_command {
 namespace {
 
 constexpr int kSmallest = 320, kLargest = 8192;  ///< a side of the window [px]
@@ -87,8 +87,8 @@ std::function<int()> define(CLI::App& app) {
     return [options] { return shoot(*options); };
 }
 
-const Command kCommand{"shot", "The whole window as a picture", define};
+const Subcommand kCommand{"shot", "The whole window as a picture", define};
 const RegisterCommand kRegistered(kCommand);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::shot_command

@@ -16,7 +16,7 @@
 #include "core/measure/stress.h"
 #include "core/measure/stress_methods.h"
 
-namespace texelscope {
+namespace texelscope::stress_command {
 namespace {
 
 constexpr int kMostCount = 10'000'000;
@@ -229,8 +229,8 @@ std::function<int()> define(CLI::App& app) {
     return [options] { return run(*options); };
 }
 
-constexpr Command kCommand{"stress", "draw hard input by every method and compare with exact arithmetic", define};
+constexpr Subcommand kCommand{"stress", "draw hard input by every method and compare with exact arithmetic", define};
 const RegisterCommand kRegistered(kCommand);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::stress_command

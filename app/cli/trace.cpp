@@ -16,7 +16,7 @@
 #include "app/cli/trace_steps.h"
 #include "core/trace/expression.h"
 
-namespace texelscope {
+namespace texelscope::trace_command {
 namespace {
 
 struct Options {
@@ -142,8 +142,8 @@ std::function<int()> define(CLI::App& app) {
     return [options] { return run(*options); };
 }
 
-constexpr Command kCommand{"trace", "print the steps of a drawing as JSON Lines", define};
+constexpr Subcommand kCommand{"trace", "print the steps of a drawing as JSON Lines", define};
 const RegisterCommand kRegistered(kCommand);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::trace_command

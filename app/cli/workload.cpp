@@ -11,7 +11,7 @@
 #include "app/cli/suggestion.h"
 #include "core/measure/workloads.h"
 
-namespace texelscope {
+namespace texelscope::workload_command {
 namespace {
 
 constexpr std::uint64_t kJitterSeed = 0x9E3779B97F4A7C15;  ///< apart from those that people type
@@ -67,8 +67,8 @@ std::function<int()> define(CLI::App& app) {
     return [options] { return run(*options); };
 }
 
-constexpr Command kCommand{"workload", "write triangles to time rasterizers with", define};
+constexpr Subcommand kCommand{"workload", "write triangles to time rasterizers with", define};
 const RegisterCommand kRegistered(kCommand);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::workload_command

@@ -20,8 +20,9 @@ constexpr std::array<Named, 4> kNamed{{{Cause::coverage, "coverage"},
                                        {Cause::offset, "offset"},
                                        {Cause::rounding, "rounding"},
                                        {Cause::warp, "warp"}}};  // in the order of the options
-constexpr int kNone = 4;
-constexpr std::string_view kSame = "They read the same texel everywhere.", kIn = "{} pixel{} differ{}: {}.";
+constexpr int kAnswersMappersNone = 4;
+constexpr std::string_view kAnswersMappersSame = "They read the same texel everywhere.",
+                           kIn = "{} pixel{} differ{}: {}.";
 
 /// What the question's words say, over the whole frame.
 [[nodiscard]] Difference difference_asked(const Asked& asked) {
@@ -42,7 +43,8 @@ constexpr std::string_view kSame = "They read the same texel everywhere.", kIn =
         all += difference.of(cause);
         parts += fmt::format("{}{} by {}", parts.empty() ? "" : ", ", difference.of(cause), name);
     }
-    return all == 0 ? std::string(kSame) : fmt::format(kIn, all, all == 1 ? "" : "s", all == 1 ? "s" : "", parts);
+    return all == 0 ? std::string(kAnswersMappersSame)
+                    : fmt::format(kIn, all, all == 1 ? "" : "s", all == 1 ? "s" : "", parts);
 }
 
 [[nodiscard]] bool is_difference(Cause cause) { return cause != Cause::nothing && cause != Cause::same; }
@@ -79,7 +81,7 @@ Accepted cause(const Asked& asked) {
     Accepted a{.step = asked.step, .sentence = sentence_of(difference)};
     int most = 0;
     for (const Named& named : kNamed) most = std::max(most, difference.of(named.cause));
-    if (most == 0) return a.options = {kNone}, a;
+    if (most == 0) return a.options = {kAnswersMappersNone}, a;
     for (std::size_t n = 0; n < kNamed.size(); ++n)
         if (difference.of(kNamed[n].cause) == most) a.options.push_back(static_cast<int>(n));
     const Cause first = kNamed[static_cast<std::size_t>(a.options.front())].cause;

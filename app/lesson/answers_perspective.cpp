@@ -12,8 +12,8 @@ namespace texelscope::answers {
 namespace {
 
 constexpr std::array<std::string_view, 3> kNames{"g", "h", "i"};
-constexpr int kNone = 3;        ///< the option behind the three coefficients
-constexpr double kSame = 1e-9;  ///< values of v so near are one [texels]
+constexpr int kAnswersPerspectiveNone = 3;        ///< the option behind the three coefficients
+constexpr double kAnswersPerspectiveSame = 1e-9;  ///< values of v so near are one [texels]
 
 /// Which of g, h and i are 0 in exact numbers, for the shape's polygon drawn through one matrix; nothing without one.
 [[nodiscard]] std::optional<std::array<bool, 3>> exact_zeros(const Asked& asked) {
@@ -55,9 +55,9 @@ Accepted row_of_v(const Asked& asked) {
     });
     const Column* best = nullptr;
     for (const auto& [x, column] : columns) {
-        if (column.low > wanted + kSame || column.high < wanted - kSame) continue;
+        if (column.low > wanted + kAnswersPerspectiveSame || column.high < wanted - kAnswersPerspectiveSame) continue;
         a.places.emplace_back(column.at.x, column.at.y);
-        if (best == nullptr || column.nearest < best->nearest - kSame) best = &column;
+        if (best == nullptr || column.nearest < best->nearest - kAnswersPerspectiveSame) best = &column;
     }
     if (best == nullptr) return a;
     if (const auto step = pixel_step(asked.steps, best->shape, best->at.x, best->at.y)) a.step = *step;
@@ -69,12 +69,12 @@ Accepted zero_in_denominator(const Asked& asked) {
     constexpr std::array<std::string_view, 3> kSays{"$g = 0$: $W$ stays the same along a row.",
                                                     "$h = 0$: $W$ stays the same down a column.",
                                                     "$i = 0$: $W$ is 0 at the screen's corner."};
-    Accepted a{.options = {kNone}, .step = asked.step, .sentence = "The face has no matrix."};
+    Accepted a{.options = {kAnswersPerspectiveNone}, .step = asked.step, .sentence = "The face has no matrix."};
     const auto zeros = exact_zeros(asked);
     if (!zeros) return a;
     a.sentence = "None of $g$, $h$, $i$ is 0 here.";
     std::vector<int> found;
-    for (int n = 0; n < kNone; ++n)
+    for (int n = 0; n < kAnswersPerspectiveNone; ++n)
         if ((*zeros)[static_cast<std::size_t>(n)]) found.push_back(n);
     const auto first = static_cast<std::size_t>(found.empty() ? 0 : found.front());
     if (const auto step = expression_step(asked.steps, asked.shape(), kNames[first])) a.step = *step;

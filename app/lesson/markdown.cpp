@@ -15,9 +15,9 @@ constexpr std::size_t kMostBlocks = 512;
 constexpr std::string_view kExpected = "expected headings of level 2 (##), paragraphs and fenced blocks";
 constexpr std::string_view kInline = "expected plain text, **strong**, `code` and $mathematics$";
 
-class Reader {
+class BlockReader {
 public:
-    Reader(std::string_view text, const std::string& file, int first_line)
+    BlockReader(std::string_view text, const std::string& file, int first_line)
         : text_(text), file_(file), first_line_(first_line) {}
 
     Result<std::vector<MarkdownBlock>> read() {
@@ -37,7 +37,7 @@ public:
     }
 
 private:
-    [[nodiscard]] static Reader& of(void* self) { return *static_cast<Reader*>(self); }
+    [[nodiscard]] static BlockReader& of(void* self) { return *static_cast<BlockReader*>(self); }
 
     int fail(std::string_view what) {
         if (!error_) error_ = Error{fmt::format("{}:{}", file_, line_at(at_)), std::string(what)};
@@ -171,7 +171,7 @@ private:
 }  // namespace
 
 Result<std::vector<MarkdownBlock>> parse_markdown(std::string_view text, const std::string& file, int first_line) {
-    return Reader(text, file, first_line).read();
+    return BlockReader(text, file, first_line).read();
 }
 
 }  // namespace texelscope

@@ -31,7 +31,7 @@ namespace {
 }
 
 /// Plain letters as Markdown that means just them.
-[[nodiscard]] std::string escaped(std::string_view text) {
+[[nodiscard]] std::string escaped_words(std::string_view text) {
     std::string out;
     for (const char c : text) {
         if (std::string_view("\\$*`_[]<&#~!").find(c) != std::string_view::npos) out += '\\';
@@ -45,8 +45,8 @@ namespace {
     std::string out;
     for (const ui::Span& span : ui::spans_of(prose)) {
         switch (span.kind) {
-            case ui::Span::Kind::text: out += escaped(span.text); break;
-            case ui::Span::Kind::strong: out += "**" + escaped(span.text) + "**"; break;
+            case ui::Span::Kind::text: out += escaped_words(span.text); break;
+            case ui::Span::Kind::strong: out += "**" + escaped_words(span.text) + "**"; break;
             case ui::Span::Kind::code: out += '`' + span.text + '`'; break;
             case ui::Span::Kind::math: out += '$' + span.text + '$'; break;
         }

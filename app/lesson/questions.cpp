@@ -91,8 +91,8 @@ constexpr auto kQuestions = std::to_array<Question>({
 });
 
 constexpr std::string_view kPlaces = "Mark it first: point, or move there with I and the arrows.";
-constexpr std::string_view kChoose = "Choose first.", kType = "Type a number first.", kMore = "Mark {} of them first.",
-                           kNotANumber = "'{}' is not a number.";
+constexpr std::string_view kQuestionsChoose = "Choose first.", kType = "Type a number first.",
+                           kMore = "Mark {} of them first.", kNotANumber = "'{}' is not a number.";
 
 [[nodiscard]] std::vector<std::string_view> divided(std::string_view text, char by) {
     std::vector<std::string_view> parts;
@@ -221,7 +221,7 @@ Grade grade(const Prediction& asked, const Answer& answer, const Accepted& accep
     const auto open = [](std::string sentence) { return Grade{.sentence = std::move(sentence), .explain = {}}; };
     switch (asked.kind) {
         case Kind::choice: {
-            if (answer.chosen.empty()) return open(std::string(kChoose));
+            if (answer.chosen.empty()) return open(std::string(kQuestionsChoose));
             const auto& right = accepted.options;
             return of(std::find(right.begin(), right.end(), answer.chosen.front()) != right.end(), accepted.step);
         }

@@ -168,9 +168,9 @@ Result<Prediction> read_prediction(const std::vector<TomlEntry>& entries, const 
     return asked;
 }
 
-class Reader {
+class BeatsReader {
 public:
-    Reader(const std::string& file, const Vocabulary& words) : file_(file), words_(words) {}
+    BeatsReader(const std::string& file, const Vocabulary& words) : file_(file), words_(words) {}
 
     std::optional<Error> take(const MarkdownBlock& block) {
         if (block.kind == MarkdownBlock::Kind::heading) return begin(block);
@@ -267,7 +267,7 @@ void demand_views(Fields& fields, std::string_view key, const std::vector<std::s
 
 Result<std::vector<Beat>> read_beats(const std::vector<MarkdownBlock>& blocks, const std::string& file, int line,
                                      const Vocabulary& words) {
-    Reader reader(file, words);
+    BeatsReader reader(file, words);
     for (const MarkdownBlock& block : blocks) {
         if (const auto fault = reader.take(block)) return *fault;
     }

@@ -31,9 +31,9 @@ constexpr std::string_view kKinds = "a text, true or false, a list of texts, or 
     return !word.empty() && std::isalpha(static_cast<unsigned char>(word[0])) != 0 && word != "true" && word != "false";
 }
 
-class Reader {
+class TableReader {
 public:
-    Reader(const std::string& file, int first_line) : file_(file), before_(first_line - 1) {}
+    TableReader(const std::string& file, int first_line) : file_(file), before_(first_line - 1) {}
 
     Result<std::vector<TomlEntry>> read(std::string_view text) {
         try {
@@ -101,7 +101,7 @@ private:
 }  // namespace
 
 Result<std::vector<TomlEntry>> parse_toml_table(std::string_view text, const std::string& file, int first_line) {
-    return Reader(file, first_line).read(text);
+    return TableReader(file, first_line).read(text);
 }
 
 }  // namespace texelscope

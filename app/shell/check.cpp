@@ -14,8 +14,8 @@
 namespace texelscope {
 namespace {
 
-constexpr std::array kScales{1.0F, 1.25F, 1.5F, 2.0F, 2.5F};
-constexpr std::array kSizes{glm::vec2(1280, 720), glm::vec2(1920, 1080)};
+constexpr std::array kCheckScales{1.0F, 1.25F, 1.5F, 2.0F, 2.5F};
+constexpr std::array kCheckSizes{glm::vec2(1280, 720), glm::vec2(1920, 1080)};
 
 /// Whether the code view has the line, whole.
 [[nodiscard]] bool is_line_shown(const ui::FrameReport& report, int line) {
@@ -124,9 +124,9 @@ private:
     }
 
     void check_screens() {
-        for (const glm::vec2 size : kSizes) {
+        for (const glm::vec2 size : kCheckSizes) {
             for (const Theme theme : {Theme::dark, Theme::light}) {
-                for (const float scale : kScales)
+                for (const float scale : kCheckScales)
                     check_screen({.theme = theme, .scale = scale, .reduced_motion = true}, size);
             }
             check_screen({.presenting = true, .reduced_motion = true}, size);

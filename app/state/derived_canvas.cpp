@@ -9,7 +9,7 @@
 namespace texelscope {
 namespace {
 
-constexpr std::int64_t kMostCounted = 1 << 20;  ///< samples: counting more would hold up the step
+constexpr std::int64_t kDerivedCanvasMostCounted = 1 << 20;  ///< samples: counting more would hold up the step
 
 /// Whether the sample is the cursor's own and its unit is not finished: it has not reached the framebuffer yet.
 [[nodiscard]] bool unfinished(const Cursor& cursor, const Visit& visit, int shape, const Sample& s) {
@@ -97,7 +97,7 @@ const LineCounts& Derived::line_counts() const {
     counts.emplace();
     if (shape() < 0) return *counts;
     const Rect reach = drawing().reach(shape());
-    if (std::int64_t{reach.width()} * reach.height() > kMostCounted) return *counts;
+    if (std::int64_t{reach.width()} * reach.height() > kDerivedCanvasMostCounted) return *counts;
     counts = method().until(drawing().settings().format, drawing().job(shape()), {scene().framebuffer.rect(), 1},
                             cache_->state.cursor.step, [](const Sample&) {});
     return *counts;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kCompared{"backward-affine", "backward-projective", "constant-z"};
 
-constexpr Integer kMostCounted = 1 << 18;  ///< samples that a face may visit: more would hold up the step
+constexpr Integer kDerivedCostsMostCounted = 1 << 18;  ///< samples that a face may visit: more would hold up the step
 
 /// Where on the tape the round of a loop begins: its variable's place. The tape's end where there is none.
 [[nodiscard]] std::int32_t round_of(const Tape& tape, char letter, std::int32_t after) {
@@ -67,7 +67,7 @@ const std::vector<MethodCost>& Derived::costs() const {
     costs.emplace();
     if (shape() < 0) return *costs;
     const Rect reach = drawing().reach(shape());
-    if (Integer{reach.width()} * reach.height() > kMostCounted) return *costs;
+    if (Integer{reach.width()} * reach.height() > kDerivedCostsMostCounted) return *costs;
     const int polygon = drawing().polygon_of(shape());
     const auto add = [&](const Drawing& other, int n, bool current) {
         auto cost = cost_of(other, n, pixel());

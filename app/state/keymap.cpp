@@ -98,19 +98,21 @@ constexpr std::array kHelp{
 constexpr std::string_view kNoSolid = "This scene has no solid to turn.", kStill = "No texture of this scene moves.";
 constexpr std::string_view kNoArrays = "{} has no array passes, only its loops over pixels.";
 constexpr std::string_view kArrays = "arrays";  ///< the quirk that has the passes
-constexpr float kLeastScale = 1, kMostScale = 2.5F;
-constexpr std::array kScales{1.0F, 1.25F, 1.5F, 2.0F, 2.5F};
+constexpr float kKeymapLeastScale = 1, kKeymapMostScale = 2.5F;
+constexpr std::array kKeymapScales{1.0F, 1.25F, 1.5F, 2.0F, 2.5F};
 constexpr int kRepeatGesture = -1;  ///< moves by a held key are one entry for undo
 constexpr int kColumn = 11;         ///< lessons in the list's left column
 
 [[nodiscard]] float next_scale(float scale, int direction) {
     constexpr float kSame = .01F;
     if (direction > 0) {
-        const auto at = std::find_if(kScales.begin(), kScales.end(), [&](float s) { return s > scale + kSame; });
-        return at == kScales.end() ? kMostScale : *at;
+        const auto at =
+            std::find_if(kKeymapScales.begin(), kKeymapScales.end(), [&](float s) { return s > scale + kSame; });
+        return at == kKeymapScales.end() ? kKeymapMostScale : *at;
     }
-    const auto at = std::find_if(kScales.rbegin(), kScales.rend(), [&](float s) { return s < scale - kSame; });
-    return at == kScales.rend() ? kLeastScale : *at;
+    const auto at =
+        std::find_if(kKeymapScales.rbegin(), kKeymapScales.rend(), [&](float s) { return s < scale - kSame; });
+    return at == kKeymapScales.rend() ? kKeymapLeastScale : *at;
 }
 
 [[nodiscard]] bool is_letter_key(Key key) { return (key >= Key::a && key <= Key::z) || key >= Key::n0; }

@@ -12,7 +12,8 @@ struct Planned {
 };
 
 constexpr std::string_view kSampling = "Sampling", kTriangles = "Triangles", kPlanes = "Planes over the screen",
-                           kPerspective = "Perspective", kPolygons = "Polygons and solids", kSpeed = "Speed and truth";
+                           kLessonTablePerspective = "Perspective", kPolygons = "Polygons and solids",
+                           kSpeed = "Speed and truth";
 
 // clang-format off
 constexpr std::array<Planned, kCurriculum> kPlanned{{
@@ -27,8 +28,8 @@ constexpr std::array<Planned, kCurriculum> kPlanned{{
     {"The u v plane by Cramer", kPlanes, "Two gradients are the whole triangle. Where $Δ = 0$ there are none."},
     {"Two additions per pixel", kPlanes, "Adding the gradient is cheaper than multiplying. What rounding adds up to depends on the numbers."},
     {"Barycentric weights", kPlanes, "Each corner weighs what the opposite area says. Weights are edge functions over twice the area."},
-    {"The diagonal seam", kPerspective, "Perspective needs $u / z$, $v / z$ and $1 / z$, then one division per pixel. Without it the two halves of a quad agree on the diagonal but not on either side of it."},
-    {"Homogeneous inverse", kPerspective, "Three additions and two divisions a pixel. Where the denominator is constant along a row, the divisions leave the loop."},
+    {"The diagonal seam", kLessonTablePerspective, "Perspective needs $u / z$, $v / z$ and $1 / z$, then one division per pixel. Without it the two halves of a quad agree on the diagonal but not on either side of it."},
+    {"Homogeneous inverse", kLessonTablePerspective, "Three additions and two divisions a pixel. Where the denominator is constant along a row, the divisions leave the loop."},
     {"Convex polygons in sections", kPolygons, "Two pointers walk down the ring of corners, left and right. Between two corners both sides are straight."},
     {"Solids and moving textures", kPolygons, "Rotate, project, cull, map. One mapper serves squares, pentagons and triangles."},
     {"Jelly cubes", kPolygons, "Rotate back, then cut at one. In the right frame a plane cut is a single comparison."},

@@ -9,7 +9,7 @@
 namespace texelscope {
 namespace {
 
-constexpr double kDegrees = 180 / std::numbers::pi, kLeastScale = 1e-3;
+constexpr double kDegrees = 180 / std::numbers::pi, kPoseLeastScale = 1e-3;
 
 struct Middles {
     glm::dvec2 screen{0}, texture{0};
@@ -33,7 +33,7 @@ Pose pose_of(std::span<const Vertex> corners) {
     const glm::dvec2 on_screen(double{b.x} - a.x, double{b.y} - a.y), on_texture(double{b.u} - a.u, double{b.v} - a.v);
     const double texels = glm::length(on_texture);
     if (!(texels > 0)) return pose;
-    pose.scale = std::max(kLeastScale, glm::length(on_screen) / texels);
+    pose.scale = std::max(kPoseLeastScale, glm::length(on_screen) / texels);
     pose.degrees = std::remainder(angle(on_screen) - angle(on_texture), 360.0);
     return pose;
 }

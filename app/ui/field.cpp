@@ -8,7 +8,7 @@
 namespace texelscope::ui {
 namespace {
 
-constexpr std::size_t kLongest = 256;
+constexpr std::size_t kFieldLongest = 256;
 
 /// `text` without control characters and without bytes that are no UTF-8.
 std::string printable(std::string_view text) {
@@ -24,7 +24,7 @@ std::string printable(std::string_view text) {
 
 void insert(UiMemory& m, std::string_view typed) {
     const std::string s = printable(typed);
-    if (m.field_text.size() + s.size() > kLongest) return;
+    if (m.field_text.size() + s.size() > kFieldLongest) return;
     m.field_text.insert(m.caret, s);
     m.caret += s.size();
 }

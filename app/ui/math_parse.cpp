@@ -14,7 +14,7 @@ namespace texelscope::ui {
 namespace {
 
 constexpr int kDeepest = 24;
-constexpr std::size_t kLongest = 1000;
+constexpr std::size_t kMathParseLongest = 1000;
 
 using Name = std::pair<std::string_view, std::string_view>;
 constexpr std::array kLetters{
@@ -43,7 +43,7 @@ public:
     explicit Reader(std::string_view text) : text_(text) {}
 
     Result<Expr> read() {
-        if (text_.size() > kLongest) return Error{"", "the formula is longer than 1000 characters"};
+        if (text_.size() > kMathParseLongest) return Error{"", "the formula is longer than 1000 characters"};
         Expr e = chain();
         if (!failed_ && !at_end()) fail("cannot be read");
         if (failed_) return Error{fmt::format("character {}", failed_at_ + 1), failure_};

@@ -15,7 +15,7 @@
 #include "core/image/wrap.h"
 #include "core/method/two_pass_buffer.h"
 
-namespace texelscope::canvas {
+namespace texelscope::canvas::buffer_view {
 namespace {
 
 using ui::Role;
@@ -367,4 +367,4 @@ constexpr View kView{"buffer", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope::canvas
+}  // namespace texelscope::canvas::buffer_view

@@ -13,7 +13,7 @@
 #include "app/views/canvas_values.h"
 #include "app/views/terms.h"
 
-namespace texelscope::canvas {
+namespace texelscope::canvas::bytes_view {
 namespace {
 
 using ui::Role;
@@ -199,4 +199,4 @@ constexpr View kView{"bytes", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope::canvas
+}  // namespace texelscope::canvas::bytes_view

@@ -9,7 +9,7 @@
 #include "app/views/canvas_parts.h"
 #include "app/views/canvas_sections.h"
 
-namespace texelscope::canvas {
+namespace texelscope::canvas::canvas_view {
 namespace {
 
 constexpr std::string_view kLabel = "canvas", kEmpty = "No shape to draw. Ctrl+O opens a scene.";
@@ -147,4 +147,4 @@ constexpr View kView{"canvas", "Canvas", draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope::canvas
+}  // namespace texelscope::canvas::canvas_view

@@ -14,8 +14,8 @@ namespace {
 constexpr std::array<double, 21> kLevels{1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 30, 32, 40, 48, 64, 80, 96, 112, 128};
 constexpr double kNotch = 1.19;  ///< of the wheel; the levels lie about this far apart
 constexpr double kFurthestOut = 1.0 / 64;
-constexpr int kKeptWhole = 128 * 128;  ///< framebuffers of at most so many pixels are asked for whole
-constexpr double kSteps = 16;          ///< of a dragged corner, to a pixel
+constexpr int kKeptWhole = 128 * 128;   ///< framebuffers of at most so many pixels are asked for whole
+constexpr double kCanvasMapSteps = 16;  ///< of a dragged corner, to a pixel
 
 /// The nearest zoom that keeps pixels crisp.
 [[nodiscard]] double crisp(double zoom) {
@@ -115,7 +115,7 @@ glm::vec2 dragged_to(const CanvasMap& map, glm::vec2 mouse, bool to_centres) {
         glm::clamp(mouse, glm::vec2(map.area.x, map.area.y), glm::vec2(map.area.right(), map.area.bottom()));
     const glm::dvec2 p = map.to_scene(kept);
     if (to_centres) return glm::floor(p) + kSample;
-    return glm::floor(p * kSteps + 0.5) / kSteps;
+    return glm::floor(p * kCanvasMapSteps + 0.5) / kCanvasMapSteps;
 }
 
 }  // namespace texelscope::canvas

@@ -20,13 +20,13 @@ constexpr std::string_view kColour = ", `#{:02x}{:02x}{:02x}`";
 constexpr std::string_view kGhostTip = ", a ghost: a stale slot of the row buffer was drawn";
 constexpr std::string_view kSampleNote = "row y is sampled at its top edge, pixel x at its left";
 constexpr std::string_view kAsPrinted = "as-printed", kPrintedSample = "as printed: {}";
-constexpr std::size_t kRinged = 12;  ///< beyond so many, selected pixels have one border around all
-constexpr float kLeastRing = 6;      ///< a ring around a pixel is at least so wide [px]
-constexpr float kBordersFrom = 3;    ///< window pixels per pixel: below, marked pixels are only tinted
+constexpr std::size_t kRinged = 12;         ///< beyond so many, selected pixels have one border around all
+constexpr float kCanvasMarksLeastRing = 6;  ///< a ring around a pixel is at least so wide [px]
+constexpr float kBordersFrom = 3;           ///< window pixels per pixel: below, marked pixels are only tinted
 constexpr float kTint = .12F, kGlow = .7F;
 
 [[nodiscard]] ui::Area ring_place(const Sheet& sheet, glm::ivec2 pixel) {
-    return ui::grown_to(sheet.map.place_of(pixel), kLeastRing);
+    return ui::grown_to(sheet.map.place_of(pixel), kCanvasMarksLeastRing);
 }
 
 /// The rings of a few pixels: inside each of them, where there is room, so that neighbours' rings do not meet.
@@ -37,7 +37,7 @@ void mark_each(const Sheet& sheet, const std::vector<glm::ivec2>& pixels, bool p
         if (ui::intersection(ui::grown_to(place, 1), sheet.map.area).empty()) continue;
         const float width = pinned ? 2 : 1, room = width + 2;
         const bool inside = pixels.size() > 1 && place.w >= 4 * room;
-        const ui::Area around = inside ? place.inset(room, room) : ui::grown_to(place, kLeastRing);
+        const ui::Area around = inside ? place.inset(room, room) : ui::grown_to(place, kCanvasMarksLeastRing);
         if (pinned) {
             ui::pixel_ring(sheet.list(), around, now, outline, width + .5F, 1);
         } else {

@@ -18,7 +18,7 @@ namespace {
 using ui::Role;
 
 constexpr std::string_view kSamples = "{} × {} = {} samples", kTilt = "tilt";
-constexpr float kHatchStep = 11, kHatchAlpha = .30F, kOuterFill = .035F, kLineAlpha = .55F;
+constexpr float kCanvasPlanesHatchStep = 11, kHatchAlpha = .30F, kOuterFill = .035F, kLineAlpha = .55F;
 constexpr float kLeastRegion = 900;  ///< a region smaller than this has no signs [px^2]
 constexpr float kAlongStep = 8;      ///< between the places that a plate at a side tries [px]
 constexpr float kTiltWidth = 116, kTiltHeight = 76, kTiltArrow = 34;
@@ -148,8 +148,8 @@ void draw_half_planes(const Sheet& sheet) {
         const Ring outer = cut(canvas, half, true);
         const ui::Color color = sheet.color(ui::edge_role(e));
         ui::fill_convex(sheet.list(), outer, ui::with_alpha(color, kOuterFill));
-        ui::draw_hatch(sheet.list(), outer, ui::section_degrees(e), sheet.ui().px(kHatchStep), sheet.map.at, 1,
-                       ui::with_alpha(color, kHatchAlpha));
+        ui::draw_hatch(sheet.list(), outer, ui::section_degrees(e), sheet.ui().px(kCanvasPlanesHatchStep), sheet.map.at,
+                       1, ui::with_alpha(color, kHatchAlpha));
         const glm::vec2 foot = half.normal * half.offset, way{-half.normal.y, half.normal.x};
         const float reach = sheet.map.area.w + sheet.map.area.h + std::abs(glm::dot(way, sheet.map.area.centre()));
         if (const auto line = ui::clipped({foot - way * reach, foot + way * reach}, canvas)) {

@@ -16,7 +16,7 @@ namespace {
 using ui::Role;
 
 constexpr std::string_view kSectionStage = "section", kLeft = "left", kRight = "right";
-constexpr float kHatchStep = 9, kFutureFill = .10F, kFutureHatch = .28F;
+constexpr float kCanvasSectionsHatchStep = 9, kFutureFill = .10F, kFutureHatch = .28F;
 constexpr double kHatchFrom = 3;  ///< window pixels per row; below, hatching would be a grey
 
 /// Every value that a name was given, oldest first: a name of a section's is given once in each.
@@ -80,8 +80,8 @@ void draw_run(const Sheet& sheet, const Run& run, int row, int section, bool don
                                         {place.right(), place.y},
                                         {place.right(), place.bottom()},
                                         {place.x, place.bottom()}};
-    ui::draw_hatch(sheet.list(), ring, ui::section_degrees(section), sheet.ui().px(kHatchStep), sheet.map.at, 1.4F,
-                   ui::with_alpha(color, done ? ui::alpha::kSectionHatch : kFutureHatch));
+    ui::draw_hatch(sheet.list(), ring, ui::section_degrees(section), sheet.ui().px(kCanvasSectionsHatchStep),
+                   sheet.map.at, 1.4F, ui::with_alpha(color, done ? ui::alpha::kSectionHatch : kFutureHatch));
 }
 
 [[nodiscard]] std::array<int, 2> rows_in_view(const Sheet& sheet, const SectionShape& section) {

@@ -17,8 +17,8 @@ namespace {
 
 using ui::Role;
 
-constexpr std::string_view kCornerLabel = "corner {} of polygon {}";
-constexpr std::string_view kCornerTip =
+constexpr std::string_view kCanvasShapeCornerLabel = "corner {} of polygon {}";
+constexpr std::string_view kCanvasShapeCornerTip =
     "$P_{}$ at {}, {}. Drag it, or hold V and press arrows. Shift snaps to pixel centres.";
 constexpr std::string_view kCoordinates = "{}, {}", kDepth = ", w {}";
 constexpr std::string_view kNotice = "{}: nothing is drawn", kNoticeOf = "shape {}, {}: nothing is drawn";
@@ -109,9 +109,10 @@ void draw_corner(Sheet& sheet, const Corner& corner, bool may_move) {
     if (may_move) {
         const glm::vec2 value = position_of(sheet.ctx.derived.scene(), corner.handle);
         const std::string name = fmt::format("vertex/{}/{}", corner.handle.polygon, corner.handle.vertex);
-        const std::string label = fmt::format(kCornerLabel, corner.handle.vertex, corner.handle.polygon + 1);
-        const std::string tip = fmt::format(kCornerTip, corner.handle.vertex, ui::format_number(double{value.x}).text,
-                                            ui::format_number(double{value.y}).text);
+        const std::string label = fmt::format(kCanvasShapeCornerLabel, corner.handle.vertex, corner.handle.polygon + 1);
+        const std::string tip =
+            fmt::format(kCanvasShapeCornerTip, corner.handle.vertex, ui::format_number(double{value.x}).text,
+                        ui::format_number(double{value.y}).text);
         const ui::Area area{corner.at.x - grab, corner.at.y - grab, 2 * grab, 2 * grab};
         const ui::Control c = ui.control(
             {.name = name, .area = area, .kind = ui::Kind::handle, .label = label, .tip = tip, .round = true});

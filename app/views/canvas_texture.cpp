@@ -20,13 +20,13 @@ using ui::Role;
 constexpr std::string_view kNote = "{} × {}, {}", kLabel = "texture";
 constexpr std::string_view kTexelTip = "texel **{}, {}**: `#{:02x}{:02x}{:02x}`", kReadBy = ", read by {} {}";
 constexpr std::string_view kPixel = "pixel", kPixels = "pixels";
-constexpr std::string_view kCornerLabel = "u and v of corner {} of polygon {}";
-constexpr std::string_view kCornerTip =
+constexpr std::string_view kCanvasTextureCornerLabel = "u and v of corner {} of polygon {}";
+constexpr std::string_view kCanvasTextureCornerTip =
     "$P_{}$ takes its texel at $u$ = {}, $v$ = {}. Drag it; Shift snaps to texel centres.";
 constexpr std::uint8_t kRepeated = 80;  ///< alpha of texels outside the texture
 constexpr int kMostRepeats = 2;         ///< textures in view on each side
-constexpr float kLeastRing = 6, kStill = 4;
-constexpr double kSteps = 16;  ///< of a dragged (u, v), to a texel
+constexpr float kCanvasTextureLeastRing = 6, kStill = 4;
+constexpr double kCanvasTextureSteps = 16;  ///< of a dragged (u, v), to a texel
 
 [[nodiscard]] std::string_view id_of_wrap(Wrap wrap) {
     switch (wrap) {
@@ -74,8 +74,8 @@ void draw_side(ImDrawList& list, const TexelMap& map, const Vertex& a, const Ver
 
 void ring(const ViewContext& ctx, const TexelMap& map, glm::ivec2 texel, float width) {
     const ui::Theme& theme = ctx.ui.theme();
-    ui::pixel_ring(ctx.ui.list(), ui::grown_to(map.place_of(texel), kLeastRing), theme[Role::now], theme.outline,
-                   width);
+    ui::pixel_ring(ctx.ui.list(), ui::grown_to(map.place_of(texel), kCanvasTextureLeastRing), theme[Role::now],
+                   theme.outline, width);
 }
 
 void draw_corner(const ViewContext& ctx, const TexelMap& map, const Vertex& vertex, const Handle& handle,
@@ -86,9 +86,10 @@ void draw_corner(const ViewContext& ctx, const TexelMap& map, const Vertex& vert
     if (may_move && map.area.contains(at)) {
         const float grab = std::max(ui::size::kVertexGrab, ui.px(ui::size::kVertexGrab));
         const std::string name = fmt::format("texel-vertex/{}/{}", handle.polygon, handle.vertex);
-        const std::string label = fmt::format(kCornerLabel, handle.vertex, handle.polygon + 1);
-        const std::string tip = fmt::format(kCornerTip, handle.vertex, ui::format_number(double{vertex.u}).text,
-                                            ui::format_number(double{vertex.v}).text);
+        const std::string label = fmt::format(kCanvasTextureCornerLabel, handle.vertex, handle.polygon + 1);
+        const std::string tip =
+            fmt::format(kCanvasTextureCornerTip, handle.vertex, ui::format_number(double{vertex.u}).text,
+                        ui::format_number(double{vertex.v}).text);
         const ui::Area area{at.x - grab, at.y - grab, 2 * grab, 2 * grab};
         const ui::Control c = ui.control(
             {.name = name, .area = area, .kind = ui::Kind::handle, .label = label, .tip = tip, .round = true});
@@ -96,7 +97,8 @@ void draw_corner(const ViewContext& ctx, const TexelMap& map, const Vertex& vert
         if (c.dragging) {
             const glm::vec2 low(map.at), high = map.to_window({map.range.x1, map.range.y1});
             const glm::dvec2 uv = map.to_texel(glm::clamp(ui.input().mouse, low, high));
-            const glm::dvec2 to = ui.input().shift ? glm::floor(uv) + 0.5 : glm::floor(uv * kSteps + 0.5) / kSteps;
+            const glm::dvec2 to = ui.input().shift ? glm::floor(uv) + 0.5
+                                                   : glm::floor(uv * kCanvasTextureSteps + 0.5) / kCanvasTextureSteps;
             move_corner(ctx, handle, to);
         } else if (c.clicked) {
             ctx.act(action::ChooseHandle{bright ? Handle{} : handle});
@@ -220,14 +222,14 @@ void draw_texture_corners(const ViewContext& ctx, const TexelMap& map) {
 void draw_texel_marks(const ViewContext& ctx, const TexelMap& map) {
     const ui::Theme& theme = ctx.ui.theme();
     for (const glm::ivec2 texel : ctx.hover.texels) {
-        const ui::Area place = ui::grown_to(map.place_of(texel), kLeastRing);
+        const ui::Area place = ui::grown_to(map.place_of(texel), kCanvasTextureLeastRing);
         ui::frame(ctx.ui.list(), place.inset(-2, -2), theme.outline);
         ui::frame(ctx.ui.list(), place.inset(-1, -1), theme[Role::now]);
         ui::frame(ctx.ui.list(), place, theme.outline);
     }
     for (const glm::ivec2 texel : ctx.pinned.texels) ring(ctx, map, texel, 2.5F);
     for (const glm::ivec2 texel : pointing(ctx.state, Prediction::Kind::texel).places) {
-        const ui::Area place = ui::grown_to(map.place_of(texel), kLeastRing);
+        const ui::Area place = ui::grown_to(map.place_of(texel), kCanvasTextureLeastRing);
         ui::frame(ctx.ui.list(), place.inset(-2, -2), theme.outline, 4);
         ui::frame(ctx.ui.list(), place.inset(-1, -1), IM_COL32(255, 255, 255, 255), 2);
     }

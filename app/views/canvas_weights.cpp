@@ -10,7 +10,7 @@
 namespace texelscope::canvas {
 namespace {
 
-constexpr float kHatchStep = 9, kFill = .30F, kLine = 2;
+constexpr float kCanvasWeightsHatchStep = 9, kFill = .30F, kLine = 2;
 
 [[nodiscard]] std::array<glm::vec2, 3> area_of(const Sheet& sheet, const WeightedPoint& point, int n) {
     const auto corners = sheet.ctx.derived.drawing().corners(sheet.ctx.derived.shape());
@@ -29,8 +29,8 @@ void draw_weight_areas(const Sheet& sheet) {
         if (point->inside) {
             ui::fill_convex(sheet.list(), area, ui::with_alpha(sheet.ui().theme().canvas, .55F));
             ui::fill_convex(sheet.list(), area, ui::with_alpha(color, kFill));
-            ui::draw_hatch(sheet.list(), area, ui::section_degrees(side_across(n)), sheet.ui().px(kHatchStep),
-                           sheet.map.at, 1.5F, color);
+            ui::draw_hatch(sheet.list(), area, ui::section_degrees(side_across(n)),
+                           sheet.ui().px(kCanvasWeightsHatchStep), sheet.map.at, 1.5F, color);
         }
         ui::line(sheet.list(), area[0], area[2], kLine + 2, sheet.ui().theme().outline);
         ui::line(sheet.list(), area[0], area[2], kLine, sheet.color(ui::Role::text));

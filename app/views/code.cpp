@@ -14,7 +14,7 @@
 #include "app/views/formula_blocks.h"
 #include "app/views/terms.h"
 
-namespace texelscope {
+namespace texelscope::code_view {
 namespace {
 
 constexpr std::string_view kTitle = "Code";
@@ -390,4 +390,4 @@ constexpr View kView{"code", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::code_view

@@ -14,7 +14,7 @@
 #include "core/geometry/jelly_frame.h"
 #include "core/scene/jelly_quirk.h"
 
-namespace texelscope {
+namespace texelscope::cut_view {
 namespace {
 
 using ui::Area;
@@ -375,4 +375,4 @@ constexpr View kView{"cut", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::cut_view

@@ -14,7 +14,7 @@
 #include "app/views/screen_parts.h"
 #include "app/views/terms.h"
 
-namespace texelscope::canvas {
+namespace texelscope::canvas::difference_view {
 namespace {
 
 using ui::Role;
@@ -275,4 +275,4 @@ constexpr View kView{"difference", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope::canvas
+}  // namespace texelscope::canvas::difference_view

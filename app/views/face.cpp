@@ -11,7 +11,7 @@
 #include "app/views/canvas_texture.h"
 #include "app/views/canvas_values.h"
 
-namespace texelscope::canvas {
+namespace texelscope::canvas::face_view {
 namespace {
 
 using ui::Role;
@@ -122,4 +122,4 @@ constexpr View kView{"face", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope::canvas
+}  // namespace texelscope::canvas::face_view

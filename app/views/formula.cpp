@@ -9,7 +9,7 @@
 #include "app/views/formula_blocks.h"
 #include "app/views/terms.h"
 
-namespace texelscope {
+namespace texelscope::formula_view {
 namespace {
 
 constexpr std::string_view kTitle = "Formula";
@@ -219,4 +219,4 @@ constexpr View kView{"formula", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::formula_view

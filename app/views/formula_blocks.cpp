@@ -53,7 +53,7 @@ void add_link(const ui::Expr& e, std::string_view sign, std::vector<ui::Expr>& p
     return ui::relation_chain(std::move(parts), std::move(signs));
 }
 
-constexpr std::array kSizes{ui::MathSize::row, ui::MathSize::prose, ui::MathSize::note};
+constexpr std::array kFormulaBlocksSizes{ui::MathSize::row, ui::MathSize::prose, ui::MathSize::note};
 
 /// How a chain is set: on one line where a size allows it, else broken.
 struct ChainSize {
@@ -62,22 +62,22 @@ struct ChainSize {
 };
 
 [[nodiscard]] ui::MathBox set_chain(const ui::Fonts& fonts, const ui::Expr& chain, const ChainSize& as, float width) {
-    const bool fold = as.broken || as.size != kSizes.front();
+    const bool fold = as.broken || as.size != kFormulaBlocksSizes.front();
     if (!as.broken) return ui::set_math(chain, setting_of(fonts, as.size, fold));
     ui::MathBox box = ui::set_math_broken(chain, setting_of(fonts, as.size, fold), width);
-    if (box.width <= width || as.size != kSizes.back()) return box;
+    if (box.width <= width || as.size != kFormulaBlocksSizes.back()) return box;
     return ui::set_math_broken(with_terms_open(chain), setting_of(fonts, as.size, fold), width);
 }
 
 /// The largest size from `largest` on in which the chain fits.
 [[nodiscard]] ChainSize size_of(const ui::Fonts& fonts, const ui::Expr& chain, float width,
-                                ui::MathSize largest = kSizes.front()) {
+                                ui::MathSize largest = kFormulaBlocksSizes.front()) {
     for (const bool broken : {false, true}) {
-        for (const ui::MathSize size : kSizes) {
+        for (const ui::MathSize size : kFormulaBlocksSizes) {
             if (size <= largest && set_chain(fonts, chain, {size, broken}, width).width <= width) return {size, broken};
         }
     }
-    return {kSizes.back(), true};
+    return {kFormulaBlocksSizes.back(), true};
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ FormulaBlock formula_block(const ui::Fonts& fonts, const Tape& tape, std::int32_
     const ui::Expr name = marked ? ui::marked(math.name) : math.name;
     const ui::Expr above = ui::relation(name, truth ? ":" : "=", math.symbols);
     const ui::Expr below = ui::relation(math.value, truth ? ":" : ui::equals_sign(math.exact), math.numbers);
-    for (const ui::MathSize size : kSizes) {
+    for (const ui::MathSize size : kFormulaBlocksSizes) {
         for (const bool fold : {false, true}) {
             ui::MathBox box = ui::set_substitution(above, below, setting_of(fonts, size, fold));
             if (box.width <= width) return {std::move(box), named};
@@ -107,7 +107,7 @@ FormulaBlock formula_block(const ui::Fonts& fonts, const Tape& tape, std::int32_
 std::vector<FormulaBlock> formula_list(const ui::Fonts& fonts, const Tape& tape, std::span<const std::int32_t> names,
                                        std::int32_t now, float width) {
     std::vector<ui::Expr> chains;
-    ui::MathSize size = kSizes.front();
+    ui::MathSize size = kFormulaBlocksSizes.front();
     for (const std::int32_t n : names) {
         chains.push_back(chain_of(math_of(tape, n), n == now));
         size = std::min(size, size_of(fonts, chains.back(), width).size);

@@ -9,7 +9,7 @@
 #include "app/views/canvas_values.h"
 #include "app/views/terms.h"
 
-namespace texelscope {
+namespace texelscope::frames_view {
 namespace {
 
 using ui::Area;
@@ -121,4 +121,4 @@ constexpr View kView{"frames", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::frames_view

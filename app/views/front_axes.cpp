@@ -15,9 +15,9 @@ using ui::Role;
 
 constexpr std::string_view kTime = "time of a pixel [ns]", kError = "greatest error of u or v [texels]";
 constexpr std::string_view kNone = "no error", kEndless = "not a number", kTexel = "1 texel";
-constexpr double kLeast = 1e-15, kMost = 1e6;        ///< the scale of errors goes no further [texels]
-constexpr double kTimeMargin = 1.7;                  ///< beyond the fastest and the slowest point, as a factor
-constexpr float kShelf = 34, kTop = 24, kLine = 16;  ///< [px at 100 %]
+constexpr double kLeast = 1e-15, kMost = 1e6;                 ///< the scale of errors goes no further [texels]
+constexpr double kTimeMargin = 1.7;                           ///< beyond the fastest and the slowest point, as a factor
+constexpr float kShelf = 34, kTop = 24, kFrontAxesLine = 16;  ///< [px at 100 %]
 constexpr float kFaintGrid = .45F;
 
 [[nodiscard]] int decade_below(double value) { return static_cast<int>(std::floor(std::log10(value) + 1e-9)); }
@@ -39,7 +39,7 @@ float Scale::at(double value) const {
 
 Axes::Axes(ui::Ui& ui, const ui::Area& area, std::span<const FrontPoint* const> points) : ui_(ui), area_(area) {
     const float left = ui::text_width(ui.font(Face::code_note), "10") + ui.px(26);
-    const float top = ui.px(3 * kLine), bottom = ui.px(2 * kLine);
+    const float top = ui.px(3 * kFrontAxesLine), bottom = ui.px(2 * kFrontAxesLine);
     plot_ = {area.x + left, area.y + top, area.w - left, area.h - top - bottom};
     double least = 1, most = 1, fastest = 1e9, slowest = 0;
     for (const FrontPoint* p : points) {

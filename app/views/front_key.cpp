@@ -22,7 +22,7 @@ constexpr std::string_view kLeads = "filled: on the front of those that draw pix
                            kBar = "bar: up to the bound that it publishes",
                            kDashed = "right of it all is slower than fast";
 constexpr std::array<float, 2> kDash{5, 4};
-constexpr float kIndent = 22, kLine = 16, kHeading = 21;  ///< [px at 100 %]
+constexpr float kIndent = 22, kFrontKeyLine = 16, kHeading = 21;  ///< [px at 100 %]
 
 class Key {
 public:
@@ -63,7 +63,7 @@ private:
         const ui::Font& font = ui_.font(Face::note);
         for (const std::string_view part : ui::wrapped(font, text, area_.w - indent)) {
             ui_.text(Face::note, {area_.x + indent, y_}, Role::muted, part);
-            y_ += ui_.px(kLine);
+            y_ += ui_.px(kFrontKeyLine);
         }
         y_ += ui_.px(3);
     }

@@ -21,7 +21,7 @@ using ui::Face;
 using ui::Role;
 
 constexpr float kKeyWidth = 206, kKeyFrom = 760;  ///< the key, and the width from which there is one [px at 100 %]
-constexpr float kGap = 16, kGrab = 9;             ///< between panels; of the mouse [px at 100 %]
+constexpr float kPanelGap = 16, kGrab = 9;        ///< between panels; of the mouse [px at 100 %]
 constexpr float kBehindFast = .05F;               ///< tint of what is slower than `fast`
 constexpr std::array<float, 2> kDash{5, 4};
 
@@ -134,13 +134,13 @@ const FrontPoint* draw_front_plot(ui::Ui& ui, const Area& area, std::span<const 
     if (scenes.empty()) return nullptr;
     Area plots = area;
     if (area.w >= ui.px(kKeyFrom)) {
-        const float key = ui.px(kKeyWidth), gap = ui.px(kGap);
+        const float key = ui.px(kKeyWidth), gap = ui.px(kPanelGap);
         plots.w -= key + gap;
         front::draw_key(ui, {plots.right() + gap, area.y, key, area.h}, points);
     }
     const auto count = static_cast<int>(scenes.size()), columns = count == 1 ? 1 : count <= 4 ? 2 : 3;
     const int rows = (count + columns - 1) / columns;
-    const float gap = ui.px(kGap);
+    const float gap = ui.px(kPanelGap);
     const float width = std::floor((plots.w - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
     const float height = std::floor((plots.h - gap * static_cast<float>(rows - 1)) / static_cast<float>(rows));
     const FrontPoint* hovered = nullptr;

@@ -20,12 +20,12 @@ using ui::Area;
 using ui::Face;
 using ui::Role;
 
-constexpr std::array<std::string_view, kLevels> kLetters{"T", "G", "S", "P", "E"};
-constexpr std::array<std::string_view, kLevels> kLevelTips{
+constexpr std::array<std::string_view, kLevels> kHeaderLetters{"T", "G", "S", "P", "E"};
+constexpr std::array<std::string_view, kLevels> kHeaderLevelTips{
     "Triangles: one step draws a whole shape", "Stages: one step is a part of a shape's work",
     "Scanlines: one step is a row", "Pixels: one step is a sample", "Expressions: one step is a value"};
 constexpr std::string_view kFormatTip = "The numbers that the method computes with: from float to exact";
-constexpr std::string_view kVariantTip = "As the source has it, or corrected (X); and each of its quirks";
+constexpr std::string_view kHeaderVariantTip = "As the source has it, or corrected (X); and each of its quirks";
 constexpr std::string_view kSmaller = "A−", kLarger = "A+", kSmallerTip = "Smaller text (Ctrl −)",
                            kLargerTip = "Larger text (Ctrl +)";
 constexpr std::string_view kUndoTip = "Undo (Ctrl Z)", kRedoTip = "Redo (Ctrl Y)", kThemeTip = "Dark or light (T)",
@@ -137,12 +137,14 @@ void draw_levels(const ViewContext& c, const Area& area) {
         style.face = Face::code_note;
         style.quiet = true;
         style.chosen = static_cast<int>(c.state.cursor.level) == n;
-        style.enabled = style.chosen || allowed.find(kLetters[k]) != std::string::npos;
+        style.enabled = style.chosen || allowed.find(kHeaderLetters[k]) != std::string::npos;
         style.kind = ui::Kind::choice;
         const Area place{std::round(area.x + width * static_cast<float>(n)), area.y, std::round(width), area.h};
         if (style.enabled && !style.chosen) ui::fill(ui.list(), place.inset(1, 1), ui.theme().raise);
         if (style.enabled && !style.chosen) ui.set_ground(ui.theme().raise);
-        if (ui::button(ui, fmt::format("level/{}", kLetters[k]), place, kLetters[k], kLevelTips[k], style).clicked)
+        if (ui::button(ui, fmt::format("level/{}", kHeaderLetters[k]), place, kHeaderLetters[k], kHeaderLevelTips[k],
+                       style)
+                .clicked)
             c.act(action::SetLevel{static_cast<Level>(n)});
         ui.set_ground(ui.theme().bg);
     }
@@ -170,7 +172,8 @@ void draw_buttons(const ViewContext& c, const Places& places) {
         if (ui::button(ui, name, places.at(item), label, tip, style).clicked) c.act(action::Show{list});
     };
     list_button("format", Item::format, id_of(c.state.work.format), kFormatTip, Face::code_note, Overlay::formats);
-    list_button("variant", Item::variant, spaced(c.state.work.variant), kVariantTip, Face::title, Overlay::quirks);
+    list_button("variant", Item::variant, spaced(c.state.work.variant), kHeaderVariantTip, Face::title,
+                Overlay::quirks);
     look_button("smaller", Item::smaller, kSmaller, kSmallerTip, c.state.look.scale - kStep);
     look_button("larger", Item::larger, kLarger, kLargerTip, c.state.look.scale + kStep);
     Look look = c.state.look;

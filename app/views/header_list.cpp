@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 3> kPolicies{"mark", "saturate", "wrap"};
 constexpr std::array<std::string_view, 3> kPolicyTips{"Go on with the true value in 64 bits, and mark it",
                                                       "The nearest value inside the range, marked",
                                                       "Modulo the range, as the processor does it, marked"};
-constexpr std::string_view kVariantTip = "Sets every quirk as this variant has it";
+constexpr std::string_view kHeaderListVariantTip = "Sets every quirk as this variant has it";
 
 /// A list below its button, over the panels.
 class DropPanel {
@@ -132,7 +132,7 @@ void draw_quirks(const ViewContext& c, DropPanel& drop) {
     }
     drop.heading(kVariants);
     for (const VariantInfo& variant : method.variants) {
-        if (drop.entry(fmt::format("variant/{}", variant.id), spaced(variant.id), {}, kVariantTip,
+        if (drop.entry(fmt::format("variant/{}", variant.id), spaced(variant.id), {}, kHeaderListVariantTip,
                        c.state.work.variant == variant.id, false))
             c.act(action::SetVariant{std::string(variant.id)});
     }

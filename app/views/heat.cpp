@@ -14,7 +14,7 @@
 #include "app/views/terms.h"
 #include "app/views/tuning.h"
 
-namespace texelscope::canvas {
+namespace texelscope::canvas::heat_view {
 namespace {
 
 using ui::Role;
@@ -264,4 +264,4 @@ constexpr View kView{"heat", kTab, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope::canvas
+}  // namespace texelscope::canvas::heat_view

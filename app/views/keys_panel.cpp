@@ -14,8 +14,9 @@ using ui::Area;
 using ui::Face;
 using ui::Role;
 
-constexpr std::string_view kTitle = "Keys", kClose = "Close", kCloseTip = "Close the list (Esc)";
-constexpr float kLeastColumn = 300;
+constexpr std::string_view kKeysPanelTitle = "Keys", kKeysPanelClose = "Close",
+                           kKeysPanelCloseTip = "Close the list (Esc)";
+constexpr float kKeysPanelLeastColumn = 300;
 
 class KeysDrawer {
 public:
@@ -28,7 +29,7 @@ public:
 
     /// @return the height of all.
     [[nodiscard]] float draw() const {
-        const bool two = area_.w >= 2 * kLeastColumn * ui_.px(100) / 100 && !ui_.presenting();
+        const bool two = area_.w >= 2 * kKeysPanelLeastColumn * ui_.px(100) / 100 && !ui_.presenting();
         const float gap = ui_.px(16), width = two ? std::floor((area_.w - gap) / 2) : area_.w;
         const auto all = key_help();
         float x = area_.x, y = area_.y, tallest = 0;
@@ -71,11 +72,13 @@ void draw_keys_panel(const ViewContext& c, const Area& place) {
     ui::Ui& ui = c.ui;
     static_cast<void>(ui.begin_panel("keys", place));
     const float pad = ui.px(ui::size::kPadding), head = std::max(ui.px(37), std::round(ui.font(Face::title).em * 1.7F));
-    const float width = ui::button_width(ui, kClose), high = std::max(ui.px(24), ui.font(Face::title).em * 1.4F);
+    const float width = ui::button_width(ui, kKeysPanelClose),
+                high = std::max(ui.px(24), ui.font(Face::title).em * 1.4F);
     ui.text_within(Face::title, {place.x + pad, ui::baseline_at_middle(ui.font(Face::title), place.y + head / 2)},
-                   place.w - 2 * pad - width, Role::muted, kTitle);
+                   place.w - 2 * pad - width, Role::muted, kKeysPanelTitle);
     const Area close{place.right() - pad - width, place.y + std::round((head - high) / 2), width, high};
-    if (ui::button(ui, "keys/close", close, kClose, kCloseTip).clicked) c.act(action::Show{Overlay::none});
+    if (ui::button(ui, "keys/close", close, kKeysPanelClose, kKeysPanelCloseTip).clicked)
+        c.act(action::Show{Overlay::none});
     const Area area =
         ui.begin_scroll("keys/scroll", {place.x + pad, place.y + head, place.w - 2 * pad, place.h - head - 2});
     ui.end_scroll(KeysDrawer(ui, area).draw());

@@ -14,7 +14,7 @@ constexpr float kHeader = 40, kTimeline = 88, kBottom = 96, kCanvasWidth = 656, 
 constexpr float kPresentingHeader = 56, kCaption = 72, kPresentingTimeline = 96, kTabStrip = 36;
 constexpr float kSideWidth = kWidth - kCanvasWidth;
 // Below these the side's panels are of no use beside each other, and the bottom row is too low to read.
-constexpr float kLeastSide = 416, kLeastColumn = 210, kLeastLesson = 156;
+constexpr float kLeastSide = 416, kLayoutLeastColumn = 210, kLeastLesson = 156;
 // Strips may take these shares of the window's height, however large the text.
 constexpr float kMostHeader = .14F, kMostTimeline = .25F, kMostCaption = .16F, kMostBottom = .24F;
 // Strips grow more slowly than text: a bar of one line has room to spare, a lane is no text.
@@ -22,7 +22,7 @@ constexpr float kHeaderGrowth = .8F, kTimelineGrowth = .6F;
 
 // The presenter's text is twice as large to begin with: so much larger its lines still hold what 720 lines show.
 constexpr float kMostPresenting = 1;
-constexpr float kLeastScale = 1, kMostScale = 2.5F, kScaleStep = 8;
+constexpr float kLeastScale = 1, kLayoutMostScale = 2.5F, kScaleStep = 8;
 
 struct Strips {
     float header, timeline, low;  ///< low: the bottom row's least height, or the caption
@@ -81,7 +81,7 @@ void place_tabbed(ScreenLayout& at, glm::vec2 window, const Strips& strip, float
     const float width = canvas_width(window, height);
     at.canvas = {0, strip.header, width, height};
     float lesson = std::round(kLeastLesson * scale);
-    if (height - lesson < kLeastColumn * scale) lesson = 0;
+    if (height - lesson < kLayoutLeastColumn * scale) lesson = 0;
     at.side = {width, strip.header, window.x - width, height - lesson};
     at.lesson = lesson > 0 ? Area{width, at.side.bottom(), at.side.w, lesson} : Area{};
     cut_tabs(at, kTabStrip * scale);
@@ -109,11 +109,11 @@ std::vector<Area> ScreenLayout::panels() const {
 }
 
 float text_scale(glm::vec2 window, const Look& look) {
-    const float scale = std::clamp(look.scale, kLeastScale, kMostScale);
+    const float scale = std::clamp(look.scale, kLeastScale, kLayoutMostScale);
     if (!look.presenting) return scale;
     const float room = std::max(1.0F, std::min(window.x / kWidth, window.y / kHeight));
     return std::clamp(std::floor(std::min(scale, kMostPresenting) * room * kScaleStep) / kScaleStep, kLeastScale,
-                      kMostScale);
+                      kLayoutMostScale);
 }
 
 ScreenLayout layout_screen(glm::vec2 window, const Look& look, SideCut cut) {

@@ -17,9 +17,10 @@ using ui::Area;
 using ui::Face;
 using ui::Role;
 
-constexpr std::string_view kTitle = "Lessons", kThen = "then", kLessonKeys = "1-9, a-l", kClose = "close",
-                           kCloseTip = "Close the list (Esc)";
-constexpr std::string_view kAbsent = "Not in this version.", kOpen = "open", kChoose = "choose", kArrows = "↑ ↓";
+constexpr std::string_view kLessonListTitle = "Lessons", kThen = "then", kLessonKeys = "1-9, a-l",
+                           kLessonListClose = "close", kLessonListCloseTip = "Close the list (Esc)";
+constexpr std::string_view kAbsent = "Not in this version.", kOpen = "open", kLessonListChoose = "choose",
+                           kArrows = "↑ ↓";
 
 struct Group {
     std::string_view title;
@@ -167,15 +168,16 @@ float draw_list_keys(const ViewContext& c, const Area& place, float middle) {
     ui::Ui& ui = c.ui;
     const Face face = Face::line_number;
     const float pad = ui.px(5), gap = ui.px(9), esc = ui::text_width(ui.font(face), "Esc") + 2 * pad;
-    const float close = ui::text_width(ui.font(Face::note), kClose),
+    const float close = ui::text_width(ui.font(Face::note), kLessonListClose),
                 baseline = ui::baseline_at_middle(ui.font(Face::note), middle);
     float x = place.right() - ui.px(ui::size::kPadding) - close - ui.px(7) - esc;
     const float high = std::min(place.h, ui.font(Face::note).em * 1.8F + 6);
     const Area button{x - ui.px(3), middle - high / 2, place.right() - ui.px(6) - x, high};
-    const ui::Control control = ui.control({"lessons/close", button, ui::Kind::button, kClose, kCloseTip});
+    const ui::Control control =
+        ui.control({"lessons/close", button, ui::Kind::button, kLessonListClose, kLessonListCloseTip});
     if (control.clicked) c.act(action::Show{Overlay::none});
     static_cast<void>(ui::badge(ui, face, {x, middle}, "Esc"));
-    ui.text(Face::note, {x + esc + ui.px(7), baseline}, control.hovered ? Role::text : Role::muted, kClose);
+    ui.text(Face::note, {x + esc + ui.px(7), baseline}, control.hovered ? Role::text : Role::muted, kLessonListClose);
     const float then = ui::text_width(ui.font(Face::note), kThen),
                 keys = ui::text_width(ui.font(face), kLessonKeys) + 2 * pad;
     const float l = ui::text_width(ui.font(face), "L") + 2 * pad;
@@ -196,7 +198,7 @@ void draw_lesson_list(const ViewContext& c, const Area& place, std::span<const L
     const float middle = place.y + head / 2, keys = draw_list_keys(c, place, middle);
     const float x = place.x + pad;
     ui.text_within(Face::title, {x, ui::baseline_at_middle(ui.font(Face::title), middle)}, keys - x, Role::muted,
-                   kTitle);
+                   kLessonListTitle);
     ListDrawer(c, entries, {x, place.y + head, place.w - 2 * pad, place.h - head - 2}).draw();
     ui.end_panel();
 }
@@ -224,7 +226,7 @@ void draw_lesson_summary(const ViewContext& c, const Area& place, std::span<cons
         x += ui.text_within(Face::note, {x, baseline}, content.right() - x, Role::muted, what) + ui.px(22);
     };
     key("Enter", kOpen);
-    key(kArrows, kChoose);
+    key(kArrows, kLessonListChoose);
     ui.end_panel();
 }
 

@@ -17,11 +17,12 @@ using ui::Area;
 using ui::Face;
 using ui::Role;
 
-constexpr std::string_view kLesson = "Lesson", kScene = "Scene", kPredict = "Predict", kCheck = "Check", kSkip = "Skip";
+constexpr std::string_view kLessonPanelLesson = "Lesson", kScene = "Scene", kPredict = "Predict", kCheck = "Check",
+                           kSkip = "Skip";
 constexpr std::string_view kCheckTip = "Compare with what the engine computes (P)",
                            kSkipTip = "Go on without an answer";
-constexpr std::string_view kPrevious = "The beat before (PgUp)", kNext = "The next beat (PgDn)";
-constexpr std::string_view kSkipped = "Skipped.", kRight = "Right.", kWrong = "Not so.", kSee = "See {}";
+constexpr std::string_view kLessonPanelPrevious = "The beat before (PgUp)", kLessonPanelNext = "The next beat (PgDn)";
+constexpr std::string_view kSkipped = "Skipped.", kRight = "Right.", kLessonPanelWrong = "Not so.", kSee = "See {}";
 constexpr std::string_view kSeeShort = "See why", kSeeTip = "Go to {}, the first step that explains it";
 constexpr std::string_view kPickPixel = "Click a pixel on the canvas.", kPickTexel = "Click a texel.",
                            kPickLine = "Click a line of the code.";
@@ -207,7 +208,7 @@ private:
         if (verdict == Answer::Verdict::right) ui::draw_icon(ui().list(), ui::Icon::tick, sign, theme[Role::now]);
         if (verdict == Answer::Verdict::wrong) ui::cross(ui().list(), sign.centre(), side * .3F, 2, theme[Role::error]);
         const bool right = verdict == Answer::Verdict::right, wrong = verdict == Answer::Verdict::wrong;
-        const std::string_view word = right ? kRight : wrong ? kWrong : kSkipped;
+        const std::string_view word = right ? kRight : wrong ? kLessonPanelWrong : kSkipped;
         std::vector<ui::Span> spans{{ui::Span::Kind::strong, std::string(word) + "\u00A0 "}};
         const std::vector<ui::Span> sentence = ui::spans_of(answer_->sentence);
         spans.insert(spans.end(), sentence.begin(), sentence.end());
@@ -283,8 +284,8 @@ void draw_progress(const ViewContext& c, const Area& row, float x) {
         ui::line(ui.list(), {m.x + way * r / 2, m.y}, {m.x - way * r / 2, m.y + r}, 1.4F, color);
         x += side;
     };
-    turn("beat/previous", -1, kPrevious, beat > 0);
-    turn("beat/next", 1, kNext, beat + 1 < count);
+    turn("beat/previous", -1, kLessonPanelPrevious, beat > 0);
+    turn("beat/next", 1, kLessonPanelNext, beat + 1 < count);
 }
 
 void draw_hints(const ViewContext& c, const Area& place) {
@@ -320,7 +321,7 @@ void draw_lesson_panel(const ViewContext& c, const Area& place) {
     const Area row{place.x + pad, place.y + 1, left - pad - ui.px(4), head};
     const float baseline = ui.presenting() ? ui::baseline_at_middle(ui.font(Face::title), row.centre().y)
                                            : place.y + ui.px(ui::size::kTitleBaseline);
-    const float title = ui.text(Face::title, {row.x, baseline}, Role::muted, kLesson);
+    const float title = ui.text(Face::title, {row.x, baseline}, Role::muted, kLessonPanelLesson);
     draw_progress(c, {row.x, baseline - ui.font(Face::title).cap / 2 - head / 2, row.w, head},
                   std::round(row.x + title + ui.px(12)));
 

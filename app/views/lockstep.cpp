@@ -15,7 +15,7 @@
 #include "app/views/terms.h"
 #include "app/views/tuning.h"
 
-namespace texelscope::canvas {
+namespace texelscope::canvas::lockstep_view {
 namespace {
 
 using ui::Role;
@@ -293,4 +293,4 @@ constexpr View kView{"lockstep", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope::canvas
+}  // namespace texelscope::canvas::lockstep_view

@@ -9,7 +9,7 @@
 
 #include "app/views/terms.h"
 
-namespace texelscope {
+namespace texelscope::matrix_view {
 namespace {
 
 constexpr std::string_view kTitle = "Matrix chain", kTab = "Matrix", kNote = "M⁻¹ = U · P⁻¹, P⁻¹ = A / det";
@@ -192,4 +192,4 @@ constexpr View kView{"matrix", kTab, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::matrix_view

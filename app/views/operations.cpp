@@ -10,7 +10,7 @@
 #include "app/ui/widgets.h"
 #include "app/views/terms.h"
 
-namespace texelscope {
+namespace texelscope::operations_view {
 namespace {
 
 constexpr std::string_view kTitle = "Operations, counted as they ran", kTab = "Operations";
@@ -147,4 +147,4 @@ constexpr View kView{"operations", kTab, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::operations_view

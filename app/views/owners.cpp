@@ -10,7 +10,7 @@
 #include "app/ui/widgets.h"
 #include "app/views/terms.h"
 
-namespace texelscope {
+namespace texelscope::owners_view {
 namespace {
 
 constexpr std::string_view kTitle = "Owners";
@@ -254,4 +254,4 @@ constexpr View kView{"owners", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::owners_view

@@ -10,7 +10,7 @@
 #include "app/views/canvas_values.h"
 #include "app/views/terms.h"
 
-namespace texelscope::canvas {
+namespace texelscope::canvas::palette_view {
 namespace {
 
 using ui::Area;
@@ -223,4 +223,4 @@ constexpr View kView{"palette", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope::canvas
+}  // namespace texelscope::canvas::palette_view

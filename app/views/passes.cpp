@@ -11,7 +11,7 @@
 #include "app/views/formula_blocks.h"
 #include "app/views/terms.h"
 
-namespace texelscope {
+namespace texelscope::passes_view {
 namespace {
 
 constexpr std::string_view kTitle = "Passes over arrays", kTab = "Passes";
@@ -269,4 +269,4 @@ constexpr View kView{"passes", kTab, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::passes_view

@@ -20,8 +20,8 @@ using ui::Role;
 
 constexpr std::string_view kLeave = "Stop presenting (F5)", kStepForward = "Step forward",
                            kStepTip = "One step on (Right)";
-constexpr std::string_view kPrevious = "One step back (Left)", kPlay = "Play (Space)", kPause = "Pause (Space)",
-                           kNext = "One step on (Right)";
+constexpr std::string_view kPresenterPrevious = "One step back (Left)", kPresenterPlay = "Play (Space)",
+                           kPresenterPause = "Pause (Space)", kPresenterNext = "One step on (Right)";
 constexpr std::string_view kBeat = "beat {} of {}", kOf = " of ";
 
 }  // namespace
@@ -112,9 +112,10 @@ void draw_presenter_timeline(const ViewContext& c, const Area& place) {
     static_cast<void>(ui.begin_panel("timeline", place, {}, {}, ui.theme().bg));
     const bool playing = c.state.playing;
     const std::array<Button, 3> buttons{
-        Button{"timeline/previous", Icon::previous, kPrevious, action::Step{-1}},
-        Button{"timeline/play", playing ? Icon::pause : Icon::play, playing ? kPause : kPlay, action::Play{!playing}},
-        Button{"timeline/next", Icon::next, kNext, action::Step{1}}};
+        Button{"timeline/previous", Icon::previous, kPresenterPrevious, action::Step{-1}},
+        Button{"timeline/play", playing ? Icon::pause : Icon::play, playing ? kPresenterPause : kPresenterPlay,
+               action::Play{!playing}},
+        Button{"timeline/next", Icon::next, kPresenterNext, action::Step{1}}};
     const float side = std::min(ui.px(ui::size::kPresentingButton), place.h - 16),
                 y = place.y + std::round((place.h - side) / 2);
     float x = place.x + ui.px(16);

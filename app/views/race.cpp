@@ -13,7 +13,7 @@
 #include "app/views/terms.h"
 #include "app/views/tuning.h"
 
-namespace texelscope {
+namespace texelscope::race_view {
 namespace {
 
 using ui::Area;
@@ -302,4 +302,4 @@ constexpr View kView{"race", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::race_view

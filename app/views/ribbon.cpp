@@ -13,7 +13,7 @@
 #include "app/views/canvas_values.h"
 #include "app/views/terms.h"
 
-namespace texelscope {
+namespace texelscope::ribbon_view {
 namespace {
 
 using ui::Role;
@@ -218,4 +218,4 @@ constexpr View kView{"ribbon", kTab, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::ribbon_view

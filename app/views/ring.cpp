@@ -10,7 +10,7 @@
 #include "app/views/formula_blocks.h"
 #include "app/views/terms.h"
 
-namespace texelscope {
+namespace texelscope::ring_view {
 namespace {
 
 constexpr std::string_view kTitle = "Ring, written twice", kTab = "Ring", kNote = "corner / y";
@@ -303,4 +303,4 @@ constexpr View kView{"ring", kTab, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::ring_view

@@ -20,14 +20,15 @@ using ui::Role;
 
 constexpr std::array<std::string_view, 3> kUsualViews{"texels", "formula", "code"},
     kSolidsViews{"texels", "solids", "code"};
-constexpr std::string_view kCanvas = "canvas", kVariables = "variables", kLesson = "lesson", kLessonTab = "Lesson",
-                           kPalette = "palette", kDifference = "difference", kValuesTab = "Values";
+constexpr std::string_view kCanvas = "canvas", kVariables = "variables", kScreenLesson = "lesson",
+                           kLessonTab = "Lesson", kPalette = "palette", kDifference = "difference",
+                           kValuesTab = "Values";
 constexpr std::string_view kNoView = "There is no view \"{}\" in this version.";
 constexpr std::string_view kNothingOpen = "Nothing is open. L lists the lessons, Ctrl+O opens a scene.";
 
 void draw_view(const ViewContext& c, std::string_view name, const Area& place) {
     if (place.empty()) return;
-    if (name == kLesson) return draw_lesson_panel(c, place);
+    if (name == kScreenLesson) return draw_lesson_panel(c, place);
     if (const View* view = find_view(name)) return view->draw(c, place);
     const Area content = c.ui.begin_panel(fmt::format("absent/{}", name), place, name);
     static_cast<void>(c.ui.prose("absent", content, ui::spans_of(fmt::format(kNoView, name), Role::muted)));
@@ -57,12 +58,12 @@ void draw_slots(const ViewContext& c, const ScreenLayout& at) {
         std::rotate(names.begin(), asked, asked + 1);
     }
     if (at.variables.empty()) names.push_back(kVariables);
-    if (at.lesson.empty()) names.push_back(kLesson);
+    if (at.lesson.empty()) names.push_back(kScreenLesson);
     return names;
 }
 
 [[nodiscard]] std::string_view tab_title(std::string_view name) {
-    if (name == kLesson) return kLessonTab;
+    if (name == kScreenLesson) return kLessonTab;
     if (name == kVariables) return kValuesTab;
     const View* view = find_view(name);
     return view != nullptr ? view->title : name;

@@ -9,7 +9,7 @@
 #include "app/ui/widgets.h"
 #include "app/views/canvas_values.h"
 
-namespace texelscope::canvas {
+namespace texelscope::canvas::signs_view {
 namespace {
 
 using ui::Role;
@@ -154,4 +154,4 @@ constexpr View kView{"signs", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope::canvas
+}  // namespace texelscope::canvas::signs_view

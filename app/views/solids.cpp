@@ -12,7 +12,7 @@
 #include "app/views/terms.h"
 #include "core/scene/names.h"
 
-namespace texelscope {
+namespace texelscope::solids_view {
 namespace {
 
 using ui::Area;
@@ -297,4 +297,4 @@ constexpr View kView{"solids", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::solids_view

@@ -16,7 +16,7 @@
 #include "app/views/terms.h"
 #include "app/views/tuning.h"
 
-namespace texelscope::canvas {
+namespace texelscope::canvas::strip_view {
 namespace {
 
 using ui::Role;
@@ -364,4 +364,4 @@ constexpr View kView{"strip", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope::canvas
+}  // namespace texelscope::canvas::strip_view

@@ -92,7 +92,7 @@ constexpr auto kMeanings = std::to_array<Meaning>({
 });
 
 /// Names of the methods in perspective.
-constexpr std::array kPerspective{
+constexpr std::array kTermsPerspective{
     Meaning{"w_#", "corner #'s distance from the eye along its axis"},
     Meaning{"X_#", "$x w$ of one of three corners that say how the texture lies [px]"},
     Meaning{"Y_#", "$y w$ of one of three corners that say how the texture lies [px]"},
@@ -128,13 +128,13 @@ constexpr std::array<std::string_view, 9> kCoefficients{
 }
 
 constexpr std::string_view kDragHint = "Drag to change it.";
-constexpr std::string_view kWrong = "**{}** ";
+constexpr std::string_view kTermsWrong = "**{}** ";
 constexpr float kDragStep = 1.0F / 16;  ///< scene pixels, or texels, for each pixel of the mouse
 constexpr float kFineStep = 1.0F / 64, kCoarseStep = 1.0F / 2;
 
 [[nodiscard]] std::string_view format_of(const Value& value) {
-    constexpr std::array<std::string_view, 7> kFormats{"", "whole", "f64", "f32", "16.16", "8.8", "exact"};
-    return kFormats[value.index()];
+    constexpr std::array<std::string_view, 7> kNames{"", "whole", "f64", "f32", "16.16", "8.8", "exact"};
+    return kNames[value.index()];
 }
 
 [[nodiscard]] std::string name_at(const Tape& tape, std::int32_t named) {
@@ -164,10 +164,10 @@ std::string meaning_of(std::string_view name) {
     if (edge >= 0) pattern.back() = '@', part = std::string(1, static_cast<char>('A' + edge));
     const auto at =
         std::find_if(kMeanings.begin(), kMeanings.end(), [&](const Meaning& m) { return m.name == pattern; });
-    const auto other =
-        std::find_if(kPerspective.begin(), kPerspective.end(), [&](const Meaning& m) { return m.name == pattern; });
+    const auto other = std::find_if(kTermsPerspective.begin(), kTermsPerspective.end(),
+                                    [&](const Meaning& m) { return m.name == pattern; });
     if (at == kMeanings.end() && name.substr(0, 2) == "A_") return std::string(kCofactor);
-    if (at == kMeanings.end() && other == kPerspective.end()) return {};
+    if (at == kMeanings.end() && other == kTermsPerspective.end()) return {};
     std::string text(at != kMeanings.end() ? at->text : other->text);
     const std::size_t hole = text.find_first_of("#@");
     if (hole != std::string::npos && !part.empty()) text.replace(hole, 1, part);
@@ -183,7 +183,7 @@ std::string tip_of(const Tape& tape, std::int32_t named) {
     std::string tip = markup_of_name(name) + " = " + all_digits(value);
     if (const std::string_view format = format_of(value); !format.empty() && format != "whole")
         tip += fmt::format(" ({})", format);
-    if (!fault.empty()) tip += " " + fmt::format(kWrong, fault);
+    if (!fault.empty()) tip += " " + fmt::format(kTermsWrong, fault);
     if (!meaning.empty()) tip += ": " + meaning;
     return tip;
 }

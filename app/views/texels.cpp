@@ -7,7 +7,7 @@
 #include "app/views/canvas_texture.h"
 #include "app/views/canvas_values.h"
 
-namespace texelscope::canvas {
+namespace texelscope::canvas::texels_view {
 namespace {
 
 using ui::Role;
@@ -93,4 +93,4 @@ constexpr View kView{"texels", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope::canvas
+}  // namespace texelscope::canvas::texels_view

@@ -18,16 +18,17 @@ using ui::Face;
 using ui::Icon;
 using ui::Role;
 
-constexpr std::array<std::string_view, kLevels> kLetters{"T", "G", "S", "P", "E"};
-constexpr std::array<std::string_view, kLevels> kLevelTips{
+constexpr std::array<std::string_view, kLevels> kTimelineLetters{"T", "G", "S", "P", "E"};
+constexpr std::array<std::string_view, kLevels> kTimelineLevelTips{
     "Triangles: one step draws a whole shape", "Stages: one step is a part of a shape's work",
     "Scanlines: one step is a row", "Pixels: one step is a sample", "Expressions: one step is a value"};
-constexpr std::string_view kFirst = "First step (Home)", kPrevious = "One step back (Left)", kPlay = "Play (Space)",
-                           kPause = "Pause (Space)", kNext = "One step on (Right)", kLast = "Last step (End)";
+constexpr std::string_view kFirst = "First step (Home)", kTimelinePrevious = "One step back (Left)",
+                           kTimelinePlay = "Play (Space)", kTimelinePause = "Pause (Space)",
+                           kTimelineNext = "One step on (Right)", kLast = "Last step (End)";
 
 constexpr std::string_view kWidestCount = "000/000";
 
-[[nodiscard]] std::size_t at(int n) { return static_cast<std::size_t>(n); }
+[[nodiscard]] std::size_t level_at(int n) { return static_cast<std::size_t>(n); }
 
 void draw_transport(const ViewContext& c, const Area& place) {
     struct Button {
@@ -39,9 +40,10 @@ void draw_transport(const ViewContext& c, const Area& place) {
     const bool playing = c.state.playing;
     const std::array<Button, 5> buttons{
         Button{"timeline/first", Icon::first, kFirst, action::StepEnd{false}},
-        Button{"timeline/previous", Icon::previous, kPrevious, action::Step{-1}},
-        Button{"timeline/play", playing ? Icon::pause : Icon::play, playing ? kPause : kPlay, action::Play{!playing}},
-        Button{"timeline/next", Icon::next, kNext, action::Step{1}},
+        Button{"timeline/previous", Icon::previous, kTimelinePrevious, action::Step{-1}},
+        Button{"timeline/play", playing ? Icon::pause : Icon::play, playing ? kTimelinePause : kTimelinePlay,
+               action::Play{!playing}},
+        Button{"timeline/next", Icon::next, kTimelineNext, action::Step{1}},
         Button{"timeline/last", Icon::last, kLast, action::StepEnd{true}}};
     float x = place.x;
     const float pitch = (place.w + place.h * 2 / 32) / 5, side = std::floor(std::min(place.h, pitch - 2));
@@ -54,20 +56,23 @@ void draw_transport(const ViewContext& c, const Area& place) {
 
 void draw_level_column(const ViewContext& c, const Area& place, float pitch, float count_right) {
     const std::vector<Lane> lanes = c.derived.lanes();
-    for (int n = 0; n < kLevels && at(n) < lanes.size(); ++n) {
-        const Lane& lane = lanes[at(n)];
+    for (int n = 0; n < kLevels && level_at(n) < lanes.size(); ++n) {
+        const Lane& lane = lanes[level_at(n)];
         const Area row = lane_place({place.x, place.y, place.w, place.h}, pitch, n);
         const bool here = static_cast<int>(c.state.cursor.level) == n;
         const Area letter{place.x, row.y - pitch * .17F, std::round(pitch), pitch};
-        const ui::Control control = c.ui.control({fmt::format("timeline/level/{}", kLetters[at(n)]), letter,
-                                                  ui::Kind::choice, kLevelTips[at(n)], kLevelTips[at(n)]});
+        const ui::Control control =
+            c.ui.control({fmt::format("timeline/level/{}", kTimelineLetters[level_at(n)]), letter, ui::Kind::choice,
+                          kTimelineLevelTips[level_at(n)], kTimelineLevelTips[level_at(n)]});
         if (control.clicked) c.act(action::SetLevel{static_cast<Level>(n)});
         const float baseline = ui::baseline_at_middle(c.ui.font(Face::code_strong), row.centre().y);
-        c.ui.text(Face::title, {letter.x, baseline}, here || control.hovered ? Role::now : Role::text, kLetters[at(n)]);
+        c.ui.text(Face::title, {letter.x, baseline}, here || control.hovered ? Role::now : Role::text,
+                  kTimelineLetters[level_at(n)]);
         if (lane.count <= 0) continue;
         const std::string count =
             lane.current < 0 ? fmt::format("−/{}", lane.count) : fmt::format("{}/{}", lane.current + 1, lane.count);
-        const float room = count_right - letter.x - ui::text_width(c.ui.font(Face::title), kLetters[at(n)]) - 3;
+        const float room =
+            count_right - letter.x - ui::text_width(c.ui.font(Face::title), kTimelineLetters[level_at(n)]) - 3;
         const bool fits = ui::text_width(c.ui.font(Face::count), count) <= room;
         const std::string shown =
             fits ? count : ui::elided(c.ui.font(Face::count), std::to_string(lane.current + 1), room);

@@ -20,7 +20,7 @@ constexpr std::string_view kDepth = "$w$ of $P_{}$", kDepthElsewhere = "$w$ of c
 constexpr std::string_view kDepthTip = "Depth of the corner. A click on another corner chooses that one.",
                            kDiagonalTip = "Begins the polygon one corner later: a quad is cut the other way.";
 constexpr ui::SliderRange kDepths{.25, 4, .0625};
-constexpr ui::SliderRange kTurns{-180, 180, 1}, kScales{.25, 3, .05};
+constexpr ui::SliderRange kTurns{-180, 180, 1}, kTuningScales{.25, 3, .05};
 
 /// The polygon of the cursor's shape, as edited.
 [[nodiscard]] std::span<const Vertex> polygon_of(const Derived& derived) {
@@ -72,9 +72,9 @@ void draw_pose_tuning(const ViewContext& context, const ui::Area& row, bool scal
                                     {"tune/turn", kTurn, fmt::format(kDegreesText, turn), kTurnTip}, turn, kTurns))
         next.degrees = std::round(*to * 16) / 16;
     if (scale) {
-        const auto to =
-            draw_tuning(ui, {row.x + width + gap, row.y, width, row.h},
-                        {"tune/scale", kScale, fmt::format(kScaleText, pose.scale), kScaleTip}, pose.scale, kScales);
+        const auto to = draw_tuning(ui, {row.x + width + gap, row.y, width, row.h},
+                                    {"tune/scale", kScale, fmt::format(kScaleText, pose.scale), kScaleTip}, pose.scale,
+                                    kTuningScales);
         if (to && std::abs(*to - pose.scale) > 1e-4) next.scale = *to;
     }
     if (next == pose) return;

@@ -8,7 +8,7 @@
 #include "app/ui/widgets.h"
 #include "app/views/terms.h"
 
-namespace texelscope {
+namespace texelscope::variables_view {
 namespace {
 
 constexpr std::string_view kTitle = "Variables", kNote = "changed first";
@@ -135,4 +135,4 @@ constexpr View kView{"variables", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::variables_view

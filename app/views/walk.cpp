@@ -12,7 +12,7 @@
 #include "app/views/canvas_values.h"
 #include "app/views/terms.h"
 
-namespace texelscope {
+namespace texelscope::walk_view {
 namespace {
 
 using ui::Role;
@@ -135,4 +135,4 @@ constexpr View kView{"walk", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::walk_view

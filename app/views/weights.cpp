@@ -17,7 +17,7 @@ namespace {
 
 using ui::Role;
 
-constexpr std::string_view kTitle = "Weights";
+constexpr std::string_view kWeightsTitle = "Weights";
 constexpr std::string_view kNoPoint = "Point at a pixel, or step into one: its three weights show here.";
 constexpr std::string_view kPixel = "pixel {}, {}", kNotComputed = "not computed", kSum = "sum", kOutside = "outside";
 constexpr std::string_view kTip = "$e_{}$ is the area between the sample and the side across from corner {}, over all.";
@@ -115,7 +115,7 @@ private:
 void draw(const ViewContext& context, const ui::Area& place) {
     const auto point = weighted_point(context);
     const std::string note = point ? fmt::format(kPixel, point->pixel.x, point->pixel.y) : std::string();
-    const ui::Area area = begin_view(context, "weights", place, kTitle, note);
+    const ui::Area area = begin_view(context, "weights", place, kWeightsTitle, note);
     if (!point)
         draw_empty(context, area, kNoPoint);
     else
@@ -123,7 +123,7 @@ void draw(const ViewContext& context, const ui::Area& place) {
     context.ui.end_panel();
 }
 
-constexpr View kView{"weights", kTitle, draw};
+constexpr View kView{"weights", kWeightsTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace

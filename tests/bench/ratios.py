@@ -1,7 +1,9 @@
 #!/usr/bin/python3
 """Times the fast rasterizer against its peers on the same triangles, one thread each, and prints tables in Markdown.
 All racers draw in turns, round by round, so that what slows the machine for a while slows all of them; a ratio is the
-median of the rounds' ratios. It measures and judges nothing. Build first: cmake --build --preset release."""
+median of the rounds' ratios. `unlike`: pixels of a peer's last picture that are not the fast rasterizer's, which is
+exact. It measures and judges nothing. Build first: cmake --build --preset release. Allegro 4 is a peer where
+liballegro4-dev was installed before."""
 import argparse
 import os
 import pathlib
@@ -34,16 +36,24 @@ class Racer:
     def run(self, number):
         if self.fault or number % self.every:
             return
-        done = subprocess.run(self.command, capture_output=True, text=True,
-                              env={**os.environ, "LP_NUM_THREADS": "0", "OMP_NUM_THREADS": "1"})
-        if done.returncode:
-            self.fault = (done.stderr.strip().splitlines() or [f"exit code {done.returncode}"])[-1]
+        done = self.call()
+        if self.fault:
             return
         for line in done.stdout.splitlines():
             _, _, stem, median, least, pixels, triangles = line.rsplit(",", 6)
             self.medians.setdefault(stem, {})[number] = float(median)
             self.least[stem] = min(self.least.get(stem, float("inf")), float(least))
             self.rates[stem] = (float(pixels) * float(median), float(triangles) * float(median))
+
+    def call(self, *more):
+        if not pathlib.Path(self.command[0]).exists():
+            self.fault = f"{pathlib.Path(self.command[0]).name} is not built"
+            return None
+        done = subprocess.run([*self.command, *more], capture_output=True, text=True,
+                              env={**os.environ, "LP_NUM_THREADS": "0", "OMP_NUM_THREADS": "1"})
+        if done.returncode:
+            self.fault = (done.stderr.strip().splitlines() or [f"exit code {done.returncode}"])[-1]
+        return done
 
     def ms(self, stem):
         return statistics.median(self.medians[stem].values()) if stem in self.medians else None
@@ -105,12 +115,25 @@ class Bench:
     def fast(self, files, more=()):
         return Racer([self.program, "bench", *files, "--reps", self.reps, *more])
 
+    def unlike(self, fast, peer):
+        """The share of pixels that the peer's picture has otherwise [%]."""
+        pictures = [str(self.folder / f"{who}.png") for who in ("fast", "peer")]
+        fast.call("-o", pictures[0])
+        peer.call(pictures[1])
+        if fast.fault or peer.fault:
+            return None
+        size = subprocess.run(["identify", "-format", "%[fx:w*h]", pictures[0]], capture_output=True, text=True,
+                              check=True)
+        count = subprocess.run(["compare", "-metric", "AE", *pictures, "null:"], capture_output=True, text=True)
+        return 100 * float(count.stderr) / float(size.stdout)
+
     def against_peers(self):
         rows, notes, all_racers = [], [], []
         for name in self.options.only:
             path = self.workload(name)
             fast, llvmpipe = self.fast([path]), Racer([self.peers / "texelscope_peer_llvmpipe", path, self.reps])
-            racers = [fast, llvmpipe]
+            allegro = Racer([self.peers / "texelscope_peer_allegro", path, self.reps])
+            racers = [fast, llvmpipe, allegro]
             if name == "big":
                 bare = Racer([self.peers / "texelscope_peer_bare_loop", path, self.reps])
                 numpy = Racer([ROOT / "tests/bench/peers/numpy_edges.py", path, 1], every=max(1, self.options.rounds // 3))
@@ -122,13 +145,16 @@ class Bench:
             must, aim = WANTED[name]
             rates = fast.rate(name) if fast.ms(name) else [None, None]
             rows.append([name, text(fast.ms(name), "{:.3f}"), text(rates[0], "{:.0f}"), text(rates[1]),
-                         text(llvmpipe.ms(name), "{:.2f}"), text(times, "**{:.2f}**"), text(by_least), f"{must}", f"{aim}"])
+                         text(llvmpipe.ms(name), "{:.2f}"), text(times, "**{:.2f}**"), text(by_least), f"{must}", f"{aim}",
+                         text(self.unlike(fast, llvmpipe), "{:.2f} %"), text(allegro.ms(name)),
+                         text(ratio(allegro, fast, name)[0]), text(self.unlike(fast, allegro), "{:.2f} %")])
             if name == "big":
                 share, beside = ratio(bare, fast, name)[0], ratio(numpy, fast, name)[0]
                 notes.append(f"big: {text(share and share * 100, '{:.0f}')} % of the bare loop's rate (must 70), "
                              f"{text(beside, '{:.0f}')} times NumPy's (must 200); the bare loop takes "
                              f"{text(bare.ms(name), '{:.3f}')} ms, NumPy {text(numpy.ms(name), '{:.0f}')} ms")
-        table(["workload", "fast ms", "Mpix/s", "Mtri/s", "llvmpipe ms", "ratio", "of least times", "must", "aim"], rows)
+        table(["workload", "fast ms", "Mpix/s", "Mtri/s", "llvmpipe ms", "ratio", "of least times", "must", "aim",
+               "unlike", "Allegro ms", "ratio", "unlike"], rows)
         for note in notes:
             print("\n" + note)
         faults(all_racers)

@@ -15,7 +15,7 @@
 #include "core/scene/triangles_file.h"
 #include "tests/app/cli/program.h"
 
-namespace texelscope {
+namespace texelscope::bench_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -225,4 +225,4 @@ TEST_F(BenchTest, RefusesUnknownWorkloads) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::bench_test

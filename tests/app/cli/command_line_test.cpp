@@ -9,7 +9,7 @@
 #include "core/method/method.h"
 #include "tests/app/cli/program.h"
 
-namespace texelscope {
+namespace texelscope::command_line_test {
 namespace {
 
 constexpr const char* kScene = R"({"texelscope":1,"framebuffer":{"width":8,"height":6},
@@ -31,7 +31,7 @@ void expect_bad_input(const Ran& ran, const std::string& part) {
 
 TEST(CommandLine, EverySubcommandHasHelp) {
     EXPECT_EQ(run_program("--help").code, 0);
-    for (const Command* command : commands()) {
+    for (const Subcommand* command : commands()) {
         const Ran ran = run_program(std::string(command->name) + " --help");
         EXPECT_EQ(ran.code, 0);
         EXPECT_NE(ran.out.find("Usage: texelscope " + std::string(command->name)), std::string::npos) << ran.out;
@@ -151,4 +151,4 @@ TEST(CommandLine, ListsAreJsonWithEveryEntry) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::command_line_test

@@ -9,7 +9,7 @@
 #include "core/measure/front.h"
 #include "tests/app/cli/program.h"
 
-namespace texelscope {
+namespace texelscope::front_test {
 namespace {
 
 /// A file that lasts as long as a test.
@@ -73,4 +73,4 @@ TEST(FrontCommand, WritesATableACsvAndAPictureThatIsDrawnAgainFromTheCsv) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::front_test

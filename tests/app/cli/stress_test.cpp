@@ -9,7 +9,7 @@
 
 #include "tests/app/cli/program.h"
 
-namespace texelscope {
+namespace texelscope::stress_test {
 namespace {
 
 std::size_t lines(const std::string& text) {
@@ -51,4 +51,4 @@ TEST(StressCommand, WrongUseIsNamed) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::stress_test

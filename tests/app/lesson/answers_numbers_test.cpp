@@ -7,7 +7,7 @@
 #include "app/lesson/questions.h"
 #include "core/image/patterns.h"
 
-namespace texelscope {
+namespace texelscope::answers_numbers_test {
 namespace {
 
 struct Board {
@@ -87,4 +87,4 @@ TEST(WeightsAt, AreNowhereOutsideOfTheTriangle) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::answers_numbers_test

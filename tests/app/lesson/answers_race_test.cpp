@@ -6,7 +6,7 @@
 #include "core/measure/bill.h"
 #include "tests/app/state/random_fixture.h"
 
-namespace texelscope {
+namespace texelscope::answers_race_test {
 namespace {
 
 /// The fixture's scene with other triangles, and questions about it.
@@ -82,4 +82,4 @@ TEST(RaceQuestions, OnlyRacersAreRanked) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::answers_race_test

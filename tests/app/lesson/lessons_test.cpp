@@ -14,8 +14,9 @@
 #include "app/state/store.h"
 #include "core/base/file.h"
 #include "core/scene/json.h"
+#include "tests/cases.h"
 
-namespace texelscope {
+namespace texelscope::lessons_test {
 namespace {
 
 const std::filesystem::path kRoot = TEXELSCOPE_SOURCE_DIR;
@@ -205,7 +206,7 @@ TEST(Lessons, PredictionsHaveOneAnswerInAHundredRandomScenes) {
     std::mt19937 random(1);  // NOLINT: the same scenes every time
     for (const Lesson& lesson : lessons()) {
         const auto document = document_of(lesson);
-        for (int n = 0; n <= 100; ++n) {
+        for (int n = 0; n <= static_cast<int>(cases(100, 20)); ++n) {
             auto moved = std::make_shared<Document>(*document);
             const Framebuffer& frame = moved->scene.framebuffer;
             std::uniform_int_distribution<int> x(-16, 8 * (frame.width + 2)), y(-16, 8 * (frame.height + 2)),
@@ -307,4 +308,4 @@ TEST(Lessons, TheFiguresOfTheCurriculumHold) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::lessons_test

@@ -6,7 +6,7 @@
 
 #include "app/lesson/lesson.h"
 
-namespace texelscope {
+namespace texelscope::parse_test {
 namespace {
 
 constexpr std::string_view kFile = "lessons/05-small/lesson.md";
@@ -293,4 +293,4 @@ TEST(LoadLessons, AFolderWithoutLessonsHasNoneAndAMissingOneIsNamed) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::parse_test

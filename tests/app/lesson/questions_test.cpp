@@ -12,7 +12,7 @@
 #include "core/scene/place.h"
 #include "core/trace/listing.h"
 
-namespace texelscope {
+namespace texelscope::questions_test {
 namespace {
 
 /// A drawing with its scene and steps.
@@ -375,4 +375,4 @@ TEST(Questions, ASceneWithoutShapesHasAnswersToo) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::questions_test

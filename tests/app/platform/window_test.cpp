@@ -10,7 +10,7 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
-namespace texelscope {
+namespace texelscope::window_test {
 namespace {
 
 class Window : public testing::Test {
@@ -148,4 +148,4 @@ TEST_F(Window, WithoutADisplaySaysSoInOneLine) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::window_test

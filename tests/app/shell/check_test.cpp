@@ -7,7 +7,7 @@
 #include "core/base/file.h"
 #include "tests/app/shell/lesson_folder.h"
 
-namespace texelscope {
+namespace texelscope::check_test {
 namespace {
 
 const std::filesystem::path kRoot = TEXELSCOPE_SOURCE_DIR;
@@ -138,4 +138,4 @@ TEST(CheckLesson, TheWholeLessonOfTheReadmeHasNoFaultWhereverItLies) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::check_test

@@ -5,8 +5,9 @@
 #include "app/shell/check.h"
 #include "app/state/link.h"
 #include "tests/app/shell/laws.h"
+#include "tests/cases.h"
 
-namespace texelscope {
+namespace texelscope::shell_lessons_test {
 namespace {
 
 [[nodiscard]] std::vector<Lesson> lessons() {
@@ -20,10 +21,11 @@ TEST(Lessons, AllPassCheck) {
     const std::vector<Lesson> all = lessons();
     ASSERT_FALSE(all.empty());
     for (const Lesson& lesson : all) {
-        const LessonCheck check = check_lesson(lesson.file);
+        const bool screens = lesson.number % static_cast<int>(cases(1, 4)) == 0;
+        const LessonCheck check = check_lesson(lesson.file, screens);
         for (const Error& fault : check.faults) ADD_FAILURE() << fault.text();
         EXPECT_EQ(check.beats, static_cast<int>(lesson.beats.size()));
-        EXPECT_GT(check.screens, 0);
+        EXPECT_EQ(check.screens > 0, screens);
     }
 }
 
@@ -75,4 +77,4 @@ TEST(Lessons, LinkStaysShort) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::shell_lessons_test

@@ -4,11 +4,12 @@
 
 #include "app/platform/scripted_input.h"
 #include "tests/app/shell/laws.h"
+#include "tests/cases.h"
 
-namespace texelscope {
+namespace texelscope::random_events_test {
 namespace {
 
-constexpr int kEvents = 10000, kBetweenChecks = 250;
+constexpr int kEvents = static_cast<int>(cases(10000, 3000)), kBetweenChecks = 250;
 constexpr glm::vec2 kSize{1280, 720};
 
 /// Keys that a person may hit; those that write files are left to their own tests.
@@ -63,7 +64,7 @@ TEST(RandomEvents, ThreeEscapesReturnToTheCanvasFromAnywhere) {
     std::mt19937 random(7);
     auto app = Headless::start(*state_of("9", {.reduced_motion = true}), kSize);
     ASSERT_TRUE(app) << app.error().text();
-    for (int round = 0; round < 60; ++round) {
+    for (int round = 0; round < static_cast<int>(cases(60, 30)); ++round) {
         for (int n = 0; n < 12; ++n) {
             for (const ui::Input& input : random_event((*app)->input, random)) {
                 (*app)->input = input;
@@ -82,4 +83,4 @@ TEST(RandomEvents, ThreeEscapesReturnToTheCanvasFromAnywhere) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::random_events_test

@@ -5,7 +5,7 @@
 
 #include "tests/app/state/fixture.h"
 
-namespace texelscope {
+namespace texelscope::derived_rows_test {
 namespace {
 
 [[nodiscard]] Vertex corner(float x, float y, float u, float v) { return {.x = x, .y = y, .w = 1, .u = u, .v = v}; }
@@ -97,4 +97,4 @@ TEST(RowError, IsEmptyOutsideOfRowsAndTheShapesWhereItIsTooLarge) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::derived_rows_test

@@ -9,7 +9,7 @@
 #include "app/state/comparisons.h"
 #include "core/image/patterns.h"
 
-namespace texelscope {
+namespace texelscope::difference_test {
 namespace {
 
 constexpr Rect kFrame{0, 0, 32, 25};
@@ -200,4 +200,4 @@ TEST(ComparedRun, WhatItLeavesOpenIsTheUsual) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::difference_test

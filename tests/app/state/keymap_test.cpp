@@ -7,7 +7,7 @@
 #include "app/state/lesson_table.h"
 #include "tests/app/state/fixture.h"
 
-namespace texelscope {
+namespace texelscope::keymap_test {
 namespace {
 
 using ui::Key;
@@ -260,4 +260,4 @@ TEST(LessonTable, HasEveryLessonOnceAndTakesWhatFilesSay) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::keymap_test

@@ -10,7 +10,7 @@
 #include "core/image/patterns.h"
 #include "core/scene/json.h"
 
-namespace texelscope {
+namespace texelscope::perspective_test {
 namespace {
 
 /// A quad of S4's picture, cut from its second to its third corner; the texture is one unit wide.
@@ -190,4 +190,4 @@ TEST(Costs, OfAnotherMethodStandBesideThoseOfTheMatrix) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::perspective_test

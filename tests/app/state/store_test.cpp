@@ -8,7 +8,7 @@
 #include "app/state/link.h"
 #include "tests/app/state/fixture.h"
 
-namespace texelscope {
+namespace texelscope::store_test {
 namespace {
 
 Store open_quad() { return Store(opened(quad_document(), State{})); }
@@ -185,4 +185,4 @@ TEST(Store, TheListOfLessonsOpensAtTheOpenLesson) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::store_test

@@ -8,7 +8,7 @@
 #include "app/views/canvas_values.h"
 #include "tests/app/views/canvas_screen.h"
 
-namespace texelscope {
+namespace texelscope::canvas_test {
 namespace {
 
 constexpr ui::Area kCanvas{0, 40, 656, 496}, kSmall{656, 40, 208, 208}, kFace{656, 40, 248, 264},
@@ -419,4 +419,4 @@ TEST(Bytes, HoveringAByteSelectsItsPixel) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::canvas_test

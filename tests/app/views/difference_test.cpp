@@ -6,7 +6,7 @@
 #include "app/state/compared_run.h"
 #include "tests/app/views/view_stage.h"
 
-namespace texelscope {
+namespace texelscope::difference_test {
 namespace {
 
 const ui::Area kLarge{0, 0, 624, 288};
@@ -104,4 +104,4 @@ TEST(DifferenceView, FitsAndCanBeReadAtEverySizeOfText) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::difference_test

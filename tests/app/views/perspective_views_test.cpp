@@ -6,7 +6,7 @@
 #include "app/ui/ramp.h"
 #include "tests/app/views/view_stage.h"
 
-namespace texelscope {
+namespace texelscope::perspective_views_test {
 namespace {
 
 const ui::Area kLarge{0, 0, 624, 288}, kWide{0, 0, 416, 208};
@@ -197,4 +197,4 @@ TEST(PerspectiveViews, FitAndCanBeReadAtEverySizeOfText) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::perspective_views_test

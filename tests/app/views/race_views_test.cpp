@@ -5,7 +5,7 @@
 #include "tests/app/state/random_fixture.h"
 #include "tests/app/views/view_stage.h"
 
-namespace texelscope {
+namespace texelscope::race_views_test {
 namespace {
 
 constexpr ui::Area kSide{656, 40, 624, 496}, kSmall{656, 40, 208, 208};
@@ -177,4 +177,4 @@ TEST_F(RaceViews, ATextureWithoutAPaletteSaysWhatToDo) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::race_views_test

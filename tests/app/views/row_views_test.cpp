@@ -1,7 +1,7 @@
 // The views that show a row: the walk down the sides, the ribbon of its error, the weights of a sample.
 #include "tests/app/views/view_stage.h"
 
-namespace texelscope {
+namespace texelscope::row_views_test {
 namespace {
 
 /// Whether the words stand on the screen in this order, however they are divided.
@@ -102,4 +102,4 @@ TEST(RowViews, CutNoTextAtAnySize) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::row_views_test

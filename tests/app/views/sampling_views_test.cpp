@@ -4,7 +4,7 @@
 #include "tests/app/state/sampling_fixture.h"
 #include "tests/app/views/view_stage.h"
 
-namespace texelscope {
+namespace texelscope::sampling_views_test {
 namespace {
 
 constexpr ui::Area kLarge{656, 248, 624, 288};
@@ -208,4 +208,4 @@ TEST(SamplingViews, SayWhatTheyAreForUnderAnotherMethodAndWithoutAShape) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::sampling_views_test

@@ -13,7 +13,7 @@
 #include "app/views/screen_parts.h"
 #include "tests/app/state/fixture.h"
 
-namespace texelscope {
+namespace texelscope::screen_test {
 namespace {
 
 using ui::Key;
@@ -429,4 +429,4 @@ TEST(SideViews, ThePaletteTakesTheFirstPlaceWhereItIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::screen_test

@@ -11,7 +11,7 @@
 #include "core/number/exact.h"
 #include "tests/core/method/cases.h"
 
-namespace texelscope {
+namespace texelscope::triangle_test {
 namespace {
 
 const Rect kFrame{-6, -5, 11, 9};
@@ -139,4 +139,4 @@ TEST(ExactTriangle, HasNoSamplesWithoutArea) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::triangle_test

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace texelscope {
+namespace texelscope::paint_test {
 namespace {
 
 // The definition in core/fast/paint.h, one pixel at a time and with no case treated apart.
@@ -351,4 +351,4 @@ TEST(Paint, AGlyphAtItsOwnSizeIsCopiedTexelForTexel) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::paint_test

@@ -9,7 +9,7 @@
 #include "core/measure/reference.h"
 #include "tests/core/method/cases.h"
 
-namespace texelscope {
+namespace texelscope::raster_equals_exact_test {
 namespace {
 
 constexpr int kWidth = 75, kHeight = 52, kPitch = 80;
@@ -304,4 +304,4 @@ TEST(RasterSkips, ChangeNoPixel) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::raster_equals_exact_test

@@ -6,7 +6,7 @@
 #include "core/number/exact.h"
 #include "tests/core/method/cases.h"
 
-namespace texelscope {
+namespace texelscope::wide_triangle_test {
 namespace {
 
 const Rect kFrame{0, 0, 60, 40};
@@ -107,4 +107,4 @@ TEST(WideTriangle, GapOfABlitIsAsWideAsItCanBe) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::wide_triangle_test

@@ -8,7 +8,7 @@
 
 #include "core/geometry/solids.h"
 
-namespace texelscope {
+namespace texelscope::obj_test {
 namespace {
 
 Mesh read(const std::string& text) {
@@ -129,4 +129,4 @@ TEST(Obj, CountsAreBounded) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::obj_test

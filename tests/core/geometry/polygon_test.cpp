@@ -8,7 +8,7 @@
 
 #include "core/geometry/triangulate.h"
 
-namespace texelscope {
+namespace texelscope::polygon_test {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -98,4 +98,4 @@ TEST(Polygon, WMustBeAboveZeroAndLightFinite) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::polygon_test

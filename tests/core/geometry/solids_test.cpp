@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace texelscope {
+namespace texelscope::solids_test {
 namespace {
 
 struct Named {
@@ -148,4 +148,4 @@ TEST(Solids, TorusIsThePublishedOne) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::solids_test

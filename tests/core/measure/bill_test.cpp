@@ -5,7 +5,7 @@
 #include "core/method/shortcut.h"
 #include "tests/core/method/cases.h"
 
-namespace texelscope {
+namespace texelscope::bill_test {
 namespace {
 
 [[nodiscard]] Scene random_scene(int count, float size) {
@@ -111,4 +111,4 @@ TEST(Bill, NothingDrawnCostsNothing) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::bill_test

@@ -5,7 +5,7 @@
 #include "core/measure/bill.h"
 #include "tests/core/method/cases.h"
 
-namespace texelscope {
+namespace texelscope::race_test {
 namespace {
 
 [[nodiscard]] Scene scene_of(int count, float size) {
@@ -84,4 +84,4 @@ TEST(Race, AnEmptySceneIsOverAtOnce) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::race_test

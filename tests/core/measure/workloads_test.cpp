@@ -15,7 +15,7 @@
 #include "core/method/drawing.h"
 #include "core/scene/triangles_scene.h"
 
-namespace texelscope {
+namespace texelscope::workloads_test {
 namespace {
 
 TrianglesFile made(std::string_view name, std::uint64_t seed = 1) { return find_workload(name)->make(seed); }
@@ -253,4 +253,4 @@ TEST(CoveredSamples, AreThoseThatTheDefinitionWrites) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::workloads_test

@@ -4,7 +4,7 @@
 
 #include "tests/core/method/cases.h"
 
-namespace texelscope {
+namespace texelscope::blend_test {
 namespace {
 
 TEST(Blend, HalvesAreCutOffBeforeTheyAreAdded) {
@@ -48,4 +48,4 @@ TEST(Blend, FollowsTheOrderOfDrawing) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::blend_test

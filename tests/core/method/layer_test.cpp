@@ -6,7 +6,7 @@
 #include "core/method/blend.h"
 #include "tests/core/method/cases.h"
 
-namespace texelscope {
+namespace texelscope::layer_test {
 namespace {
 
 Grid<LayerCell> one_after_the_other(const Drawing& drawing, int last, const Window& window) {
@@ -87,4 +87,4 @@ TEST(Layer, SquaresOfCellsMeetWithoutASeam) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::layer_test

@@ -7,7 +7,7 @@
 
 #include "tests/core/method/cases.h"
 
-namespace texelscope {
+namespace texelscope::limited_numbers_test {
 namespace {
 
 struct Cost {
@@ -157,4 +157,4 @@ TEST(LimitedNumbers, ExactlyAllWaysAreTheSame) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::limited_numbers_test

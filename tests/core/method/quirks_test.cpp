@@ -6,7 +6,7 @@
 #include "core/trace/listing.h"
 #include "tests/core/method/cases.h"
 
-namespace texelscope {
+namespace texelscope::quirks_test {
 namespace {
 
 struct Named {
@@ -115,4 +115,4 @@ TEST(Quirks, AllTogetherInEveryCombinationDraw) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::quirks_test

@@ -5,7 +5,7 @@
 #include "core/method/run.h"
 #include "tests/core/method/cases.h"
 
-namespace texelscope {
+namespace texelscope::registry_test {
 namespace {
 
 TEST(Registry, HasEveryMethod) {
@@ -81,4 +81,4 @@ TEST(Registry, WithTypeGivesEachFormatItsOwnType) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::registry_test

@@ -11,7 +11,7 @@
 #include "core/method/fast_picture.h"
 #include "tests/core/method/cases.h"
 
-namespace texelscope {
+namespace texelscope::shortcut_test {
 namespace {
 
 [[nodiscard]] DrawSettings settings_of(std::string_view id) {
@@ -172,4 +172,4 @@ TEST(FastPicture, OfMixedScenesIsThatOfTheSteps) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::shortcut_test

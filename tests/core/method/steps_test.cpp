@@ -5,9 +5,10 @@
 
 #include <algorithm>
 
+#include "tests/cases.h"
 #include "tests/core/method/cases.h"
 
-namespace texelscope {
+namespace texelscope::steps_test {
 namespace {
 
 using laws::Case;
@@ -34,7 +35,7 @@ std::string text_of(const std::optional<Path>& path) { return path ? path->text(
 /// One scene for each case, with fewer scenes where numbers are slow.
 void for_every_case(const std::function<void(const Drawing&)>& check) {
     for (const Case& c : laws::every_case()) {
-        const unsigned seeds = c.settings.format == NumberFormat::f64 ? 14 : 2;
+        const unsigned seeds = c.settings.format == NumberFormat::f64 ? cases(14, 7) : cases(2, 1);
         for (unsigned seed = 1; seed <= seeds; ++seed) {
             SCOPED_TRACE(c.text() + ", random_scene(" + std::to_string(seed) + ")");
             const Scene scene = laws::random_scene(seed);
@@ -167,4 +168,4 @@ TEST(Steps, AnEmptySceneHasNone) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::steps_test

@@ -7,7 +7,7 @@
 #include "core/geometry/polygon.h"
 #include "tests/core/method/cases.h"
 
-namespace texelscope {
+namespace texelscope::watertight_test {
 namespace {
 
 using Counts = std::map<std::pair<Integer, Integer>, int>;
@@ -255,4 +255,4 @@ TEST(Watertight, AnExactPictureDoesNotDependOnTheFirstCorner) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::watertight_test

@@ -10,7 +10,7 @@
 
 #include "core/geometry/polygon.h"
 
-namespace texelscope {
+namespace texelscope::json_test {
 namespace {
 
 constexpr const char* kTriangle = R"([{"x":1,"y":2,"u":0,"v":0},{"x":9,"y":2,"u":8,"v":0},{"x":1,"y":8,"u":0,"v":8}])";
@@ -277,4 +277,4 @@ TEST(SceneLines, AreToldFromASceneOverSeveralLines) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::json_test

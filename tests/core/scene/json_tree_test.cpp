@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace texelscope {
+namespace texelscope::json_tree_test {
 namespace {
 
 std::string error_of(std::string_view text) {
@@ -80,4 +80,4 @@ TEST(InQuotes, IsShortAndOneLineAndCutsBetweenCharacters) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::json_tree_test

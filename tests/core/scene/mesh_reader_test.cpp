@@ -8,7 +8,7 @@
 #include "core/scene/json.h"
 #include "core/scene/place.h"
 
-namespace texelscope {
+namespace texelscope::mesh_reader_test {
 namespace {
 
 /// A scene with two textures and these further members, which begin on line 2.
@@ -141,4 +141,4 @@ TEST(Meshes, ExtremeNumbersGiveFinitePolygons) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::mesh_reader_test

@@ -15,7 +15,7 @@
 #include "core/geometry/solids.h"
 #include "tests/core/method/cases.h"
 
-namespace texelscope {
+namespace texelscope::place_test {
 namespace {
 
 constexpr std::array kSolids{Shape3d::cube, Shape3d::dodecahedron, Shape3d::icosahedron, Shape3d::torus};
@@ -365,4 +365,4 @@ TEST(ShowFrame, GoesRoundBothWays) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::place_test

@@ -8,7 +8,7 @@
 
 #include "core/image/image.h"
 
-namespace texelscope {
+namespace texelscope::triangles_file_test {
 namespace {
 
 // Where the header's numbers stand [bytes].
@@ -163,4 +163,4 @@ TEST(TrianglesFile, WThatIsNotPositiveIsAnErrorInPerspectiveOnly) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::triangles_file_test

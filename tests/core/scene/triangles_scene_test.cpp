@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace texelscope {
+namespace texelscope::triangles_scene_test {
 namespace {
 
 TrianglesFile one_triangle() {
@@ -50,4 +50,4 @@ TEST(TrianglesScene, HasTexelsOfItsOwnThatSayWhereTheyLie) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::triangles_scene_test

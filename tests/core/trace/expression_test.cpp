@@ -4,10 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "core/method/steps.h"
+#include "tests/cases.h"
 #include "tests/core/method/cases.h"
 #include "tests/core/trace/evaluate.h"
 
-namespace texelscope {
+namespace texelscope::expression_test {
 namespace {
 
 using laws::Case;
@@ -52,7 +53,7 @@ TEST(Tape, EachOperationEvaluatedAgainGivesItsValue) {
     for (Case c : laws::every_case()) {
         for (const Overflow overflow : {Overflow::mark, Overflow::saturate, Overflow::wrap}) {
             c.settings.mode = {overflow, overflow == Overflow::wrap};
-            for (unsigned seed = 1; seed <= 7; ++seed) {
+            for (unsigned seed = 1; seed <= cases(7, 3); ++seed) {
                 SCOPED_TRACE(c.text() + ", random_scene(" + std::to_string(seed) + ")");
                 for_visits(c, laws::random_scene(seed), check_operations);
                 if (HasFailure()) return;
@@ -74,7 +75,7 @@ void check_text(const Visit& visit, const Named& named, const std::string& text,
 
 TEST(Expression, TheFormulaParsedAndEvaluatedGivesTheValue) {
     for (const Case& c : laws::every_case()) {
-        for (unsigned seed = 1; seed <= 14; ++seed) {
+        for (unsigned seed = 1; seed <= cases(14, 7); ++seed) {
             SCOPED_TRACE(c.text() + ", random_scene(" + std::to_string(seed) + ")");
             const Scene scene = laws::random_scene(seed);
             const Value real = real_like(Drawing(scene, c.settings).settings().format);
@@ -110,4 +111,4 @@ TEST(Expression, BracketsStandWhereTheOrderNeedsThem) {
 }
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::expression_test

@@ -1,0 +1,201 @@
+#include "tests/core/fast/determined_scenes.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <span>
+#include <utility>
+
+#include "core/exact/triangle.h"
+#include "core/measure/dice.h"
+#include "core/measure/workloads.h"
+
+namespace texelscope::determined_scenes_detail {
+namespace {
+
+constexpr int kLeft = 448, kTop = 448, kWidth = 96, kHeight = 64, kPadding = 16;
+constexpr float kShaken = 0.03F;  ///< [px]
+constexpr std::uint64_t kSeed = 1;
+
+struct Look {
+    int width, height;  ///< of the texture
+    Wrap wrap;
+    bool light, depth;
+};
+/// Of the workloads in their order.
+constexpr std::array<Look, 8> kLooks{{{256, 256, Wrap::repeat, false, false},
+                                      {48, 80, Wrap::clamp, true, false},
+                                      {64, 16, Wrap::mask, false, false},
+                                      {37, 61, Wrap::repeat, true, false},
+                                      {256, 256, Wrap::repeat, false, false},
+                                      {48, 80, Wrap::repeat, true, true},
+                                      {256, 256, Wrap::repeat, false, true},
+                                      {128, 32, Wrap::clamp, false, false}}};
+
+class Picture {
+public:
+    [[nodiscard]] RasterTarget target() {
+        return {.pixels = pixels_.data(),
+                .pitch = kWidth + kPadding,
+                .width = kWidth,
+                .height = kHeight,
+                .x0 = kLeft,
+                .y0 = kTop,
+                .depth = depth_.data()};
+    }
+    [[nodiscard]] std::uint32_t& pixel(Integer x, Integer y) { return pixels_[at(x, y)]; }
+    [[nodiscard]] float& depth(Integer x, Integer y) { return depth_[at(x, y)]; }
+
+    [[nodiscard]] std::uint64_t hash() {
+        std::uint64_t sum = 0xCBF29CE484222325U;
+        const auto take = [&sum](std::uint32_t word) {
+            for (int shift = 0; shift < 32; shift += 8) sum = (sum ^ (word >> shift & 255U)) * 0x100000001B3U;
+        };
+        for (int y = kTop; y < kTop + kHeight; ++y)
+            for (int x = kLeft; x < kLeft + kWidth; ++x)
+                take(pixel(x, y)), take(std::bit_cast<std::uint32_t>(depth(x, y)));
+        return sum;
+    }
+
+private:
+    [[nodiscard]] static std::size_t at(Integer x, Integer y) {
+        return static_cast<std::size_t>((y - kTop) * (kWidth + kPadding) + x - kLeft);
+    }
+    std::vector<std::uint32_t> pixels_ = std::vector<std::uint32_t>(std::size_t{kWidth + kPadding} * kHeight);
+    std::vector<float> depth_ = std::vector<float>(pixels_.size(), 1.0F);
+};
+
+/// No two texels alike.
+[[nodiscard]] std::vector<std::uint32_t> texels_of(const DeterminedScene& scene) {
+    std::vector<std::uint32_t> texels(static_cast<std::size_t>(scene.texture_width * scene.texture_height));
+    for (std::size_t n = 0; n < texels.size(); ++n) texels[n] = static_cast<std::uint32_t>(n) * 0x9E3779B1U;
+    return texels;
+}
+
+[[nodiscard]] ChannelTable light() {
+    ChannelTable table{};
+    for (std::uint32_t n = 0; n < table.size(); ++n) table[n] = n * 7 / 10;
+    return table;
+}
+
+[[nodiscard]] std::uint32_t lit(std::uint32_t texel, const ChannelTable& light) {
+    std::uint32_t sum = texel & 0xFF000000U;
+    for (int shift = 0; shift < 24; shift += 8) sum += light[texel >> shift & 255U] << shift;
+    return sum;
+}
+
+/// What the frame does not show is left away: the exact triangle would take seconds to find that out.
+[[nodiscard]] bool in_view(std::span<const Vertex> corners) {
+    const auto [left, right] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
+    const auto [top, bottom] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
+    return right >= kLeft && left <= kLeft + kWidth && bottom >= kTop && top <= kTop + kHeight;
+}
+
+[[nodiscard]] DeterminedScene scene_of(const Workload& workload, const Look& look, bool shaken) {
+    TrianglesFile file = workload.make(kSeed);
+    std::vector<Vertex> seen;
+    for (std::size_t n = 0; n < file.vertices.size(); n += 3)
+        if (const std::span corners = std::span(file.vertices).subspan(n, 3); in_view(corners))
+            seen.insert(seen.end(), corners.begin(), corners.end());
+    file.vertices = std::move(seen);
+    if (shaken) jitter(file, kShaken, kSeed);
+    if (look.depth && !file.depth) {
+        Dice dice(kSeed);
+        for (Vertex& c : file.vertices) c.z = dice.share();
+    }
+    return {.name = std::string(workload.name) + (shaken ? ", shaken" : ""),
+            .vertices = std::move(file.vertices),
+            .texture_width = look.width,
+            .texture_height = look.height,
+            .wrap = look.wrap,
+            .perspective = file.perspective,
+            .cull_back = file.cull_back,
+            .depth = look.depth,
+            .light = look.light};
+}
+
+/// Corners on centres, slopes of simple ratios: sides run through samples, and samples lie on texels' borders.
+[[nodiscard]] DeterminedScene ties(bool perspective) {
+    DeterminedScene scene{.name = perspective ? "ties in perspective" : "ties",
+                          .texture_width = 48,
+                          .texture_height = 48,
+                          .perspective = perspective};
+    Dice dice(kSeed);
+    for (int n = 0; n < 150; ++n)
+        for (int k = 0; k < 3; ++k) {
+            const auto centre = [&](int from, int size) {
+                return static_cast<float>(from + dice.whole(-9, size + 9)) + .5F;
+            };
+            const float x = centre(kLeft, kWidth), y = centre(kTop, kHeight);
+            scene.vertices.push_back({x, y, 0, static_cast<float>(dice.whole(1, 3)),
+                                      static_cast<float>(dice.whole(-96, 96)) / 48,
+                                      static_cast<float>(dice.whole(-96, 96)) / 48});
+        }
+    return scene;
+}
+
+}  // namespace
+}  // namespace texelscope::determined_scenes_detail
+
+namespace texelscope {
+
+using namespace determined_scenes_detail;
+
+std::vector<DeterminedScene> determined_scenes() {
+    std::vector<DeterminedScene> all{ties(false), ties(true)};
+    for (std::size_t n = 0; n < kLooks.size(); ++n)
+        for (const bool shaken : {false, true}) all.push_back(scene_of(workloads()[n], kLooks[n], shaken));
+    return all;
+}
+
+std::uint64_t hash_of_fast(const DeterminedScene& scene, const RasterSettings& settings) {
+    const std::vector<std::uint32_t> texels = texels_of(scene);
+    const ChannelTable table = light();
+    RasterCounters counters;
+    Picture picture;
+    draw(picture.target(), {texels.data(), scene.texture_width, scene.texture_height, scene.wrap},
+         {.vertices = scene.vertices,
+          .u_texels = scene.texture_width,
+          .v_texels = scene.texture_height,
+          .perspective = scene.perspective,
+          .cull_back = scene.cull_back,
+          .depth = scene.depth,
+          .light = scene.light ? &table : nullptr},
+         settings, counters);
+    return picture.hash();
+}
+
+std::uint64_t hash_of_exact(const DeterminedScene& scene) {
+    const std::vector<std::uint32_t> texels = texels_of(scene);
+    const ChannelTable table = light();
+    Picture picture;
+    for (std::size_t n = 0; n < scene.vertices.size(); n += 3) {
+        std::array<Vertex, 3> corners{scene.vertices[n], scene.vertices[n + 1], scene.vertices[n + 2]};
+        if (!scene.perspective)
+            for (Vertex& c : corners) c.w = 1;
+        const ExactTriangle triangle(corners, scene.texture_width, scene.texture_height);
+        if (triangle.winding() == 0 || (scene.cull_back && triangle.winding() < 0)) continue;
+        for (int y = kTop; y < kTop + kHeight; ++y) {
+            const PixelRange row = triangle.row(y, kLeft, kLeft + kWidth);
+            for (Integer x = row.x0; x < row.x1; ++x) {
+                if (scene.depth) {
+                    const float z = triangle.depth(x, y);
+                    if (!(z < picture.depth(x, y))) continue;
+                    picture.depth(x, y) = z;
+                }
+                const TexelIndex at = triangle.texel(x, y);
+                const std::uint32_t texel = texels[static_cast<std::size_t>(
+                    wrap_index(at.v, scene.texture_height, scene.wrap) * scene.texture_width +
+                    wrap_index(at.u, scene.texture_width, scene.wrap))];
+                picture.pixel(x, y) = scene.light ? lit(texel, table) : texel;
+            }
+        }
+    }
+    return picture.hash();
+}
+
+void turn_corners(DeterminedScene& scene) {
+    for (auto at = scene.vertices.begin(); at != scene.vertices.end(); at += 3) std::rotate(at, at + 1, at + 3);
+}
+
+}  // namespace texelscope
