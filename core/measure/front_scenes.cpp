@@ -8,6 +8,9 @@
 
 #include <glm/glm.hpp>
 
+#include "core/geometry/polygon.h"
+#include "core/scene/scene.h"
+
 namespace texelscope {
 namespace {
 
@@ -108,6 +111,18 @@ constexpr std::array<FrontSceneInfo, 5> kScenes{{
 }};
 
 }  // namespace
+
+FrontScene front_scene_of(const Scene& scene) {
+    FrontScene front{.frame = scene.framebuffer.rect()};
+    for (const Polygon& polygon : scene.polygons) {
+        const std::vector<Vertex>& corners = polygon.vertices;
+        const auto fine = [](const Vertex& v) { return is_finite(v) && v.w > 0; };
+        if (!std::all_of(corners.begin(), corners.end(), fine)) continue;
+        for (std::size_t k = 2; k < corners.size() && front.triangles() < kMostFrontTriangles; ++k)
+            add(front, {corners[0], corners[k - 1], corners[k]});
+    }
+    return front;
+}
 
 std::span<const FrontSceneInfo> front_scenes() { return kScenes; }
 
