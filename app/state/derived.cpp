@@ -73,7 +73,7 @@ void Derived::update(const State& state) {
     const bool step_same = drawing_same && c.state.cursor == state.cursor && c.state.pinned == state.pinned;
     c.state = state;
     if (!scene_same) {
-        c.faces.clear(), c.jelly.reset(), c.bills.reset();
+        c.faces.clear(), c.jelly.reset(), c.bills.reset(), c.rung.reset(), c.skips.reset();
         c.scene =
             std::make_unique<Scene>(state.document ? edited_scene(*state.document, state.work, &c.faces) : Scene{});
     }
