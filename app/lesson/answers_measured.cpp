@@ -28,7 +28,7 @@ constexpr double kEitherWay = 0.1;  ///< of the right number
 }  // namespace
 
 Accepted error_place(const Asked& asked) {
-    Accepted a{.step = asked.step.prefix(1), .sentence = "Nothing is drawn here."};
+    Accepted a{.options = {1}, .step = asked.step.prefix(1), .sentence = "Nothing is drawn here: nobody errs."};
     const std::vector<FrontPoint> points = errors_of(asked.drawing.scene(), asked.call.words);
     if (points.size() != 3) return a;
     const double own = points[0].max_error;

@@ -177,8 +177,9 @@ private:
         const float side = std::max(ui_.px(12), std::round(ui_.font(Face::title).em * .7F));
         for (std::size_t n = 0; n < kShown.size(); ++n) {
             const DecisionInfo& info = kShown[n];
-            const float x = area.x + static_cast<float>(static_cast<int>(n) % across) * width;
-            const float middle = area.y + ui_.px(4) + (static_cast<float>(static_cast<int>(n) / across) + .5F) * line_;
+            const int column = static_cast<int>(n) % across, row = static_cast<int>(n) / across;
+            const float x = area.x + static_cast<float>(column) * width;
+            const float middle = area.y + ui_.px(4) + (static_cast<float>(row) + .5F) * line_;
             const Area swatch{x, std::round(middle - side / 2), side, side};
             ui::fill(ui_.list(), swatch, color_of(info));
             draw_mark(ui_.list(), info.decision, swatch, ui_.theme().outline);

@@ -32,6 +32,7 @@ constexpr std::string_view kSize = "size [px]", kSizeTip = "The side of the squa
 constexpr std::string_view kDistance = "distance", kAtOrigin = "0", kPower = "2^{}",
                            kDistanceTip = "How far from the origin the whole picture lies [px], right and down";
 constexpr std::array<std::string_view, 3> kKinds{"plain", "steep", "slivers"};
+constexpr std::array<std::string_view, 3> kKindTitles{"Triangles", "Steep perspective", "Slivers"};
 constexpr std::array<std::string_view, 3> kKindTips{
     "Triangles of all shapes", "Corners 1 to 16 times as far as the nearest", "Long triangles, 1/64 to 3 px wide"};
 constexpr std::string_view kRun = "Run", kStop = "Stop",
@@ -43,7 +44,8 @@ constexpr std::string_view kPrevious = "faster", kNext = "slower", kPreviousTip 
 constexpr std::string_view kChoose = "Click a point: its name, and what it gets wrong.";
 constexpr std::string_view kTime = "{} ns a pixel", kError = "error {}", kBound = "bound {}";
 constexpr std::string_view kPointTip = "{}: {} ns a pixel, greatest error {} texels";
-constexpr float kLeastPlot = 210;  ///< height [px at 100 %]
+constexpr float kLeastPlot = 210, kLeastPlotLines = 15;  ///< height [px at 100 %], and in lines of text
+constexpr float kLeastTrack = 70;                        ///< of a slider [px at 100 %]
 constexpr ui::SliderRange kSizes{4, 120, 4}, kDistances{0, kMaxDistance, 1};
 
 class FrontView {
@@ -59,21 +61,23 @@ public:
     }
 
     void draw() {
-        const float fixed = 2 * (tuning_height(ui_) + ui_.px(2)) + readout_height();
-        const float content = std::max(area_.h, fixed + ui_.px(kLeastPlot));
+        const float controls = static_cast<float>(control_lines() + 1) * line_of_controls();
+        const float plot = std::max(ui_.px(kLeastPlot), kLeastPlotLines * ui_.font(Face::title).em);
+        const float content = std::max(area_.h, controls + readout_height() + plot);
         foresee(ui_, "front/scroll", content);
         const Area inner = ui_.begin_scroll("front/scroll", area_);
-        float y = draw_controls({inner.x, inner.y, inner.w, tuning_height(ui_)});
-        y = draw_run({inner.x, y, inner.w, tuning_height(ui_)});
-        const float bottom = inner.y + content;
-        draw_plot({inner.x, y, inner.w, bottom - readout_height() - y});
-        draw_readout({inner.x, bottom - readout_height(), inner.w, readout_height()});
+        // The plot comes first: where not all has room, it is what is to be seen.
+        const float below = inner.y + content - controls;
+        draw_plot({inner.x, inner.y, inner.w, content - controls - readout_height()});
+        draw_readout({inner.x, below - readout_height(), inner.w, readout_height()});
+        draw_run({inner.x, below, inner.w, tuning_height(ui_)});
+        draw_controls({inner.x, below + line_of_controls(), inner.w, tuning_height(ui_)});
         ui_.end_scroll(content);
     }
 
 private:
     [[nodiscard]] std::string title() const {
-        const auto kind = kKinds[static_cast<std::size_t>(random_.kind)];
+        const auto kind = kKindTitles[static_cast<std::size_t>(random_.kind)];
         return random_.distance == 0 ? std::string(kind)
                                      : fmt::format("{}, {} px away", kind, grouped(std::ldexp(1, random_.distance)));
     }
@@ -85,22 +89,34 @@ private:
         if (!(next == random_))
             context_.act(action::SetRandom{next, ui_.memory().active != 0 ? ui_.memory().presses : 0});
     }
-    float draw_controls(const Area& row) {
-        const float gap = ui_.px(12), third = std::floor((row.w - 2 * gap) / 3);
+    [[nodiscard]] float line_of_controls() const { return tuning_height(ui_) + ui_.px(2); }
+    [[nodiscard]] int control_lines() const { return (3 + beside() - 1) / beside(); }
+    [[nodiscard]] int beside() const {
+        const float least = ui::text_width(ui_.font(Face::prose), kDistance) +
+                            ui::text_width(ui_.font(Face::code), "-180°") + ui_.px(kLeastTrack);
+        return std::clamp(static_cast<int>(area_.w / least), 1, 3);
+    }
+    void draw_controls(const Area& row) {
+        const float gap = ui_.px(12), count = static_cast<float>(beside());
+        const float width = std::floor((row.w - (count - 1) * gap) / count);
+        const auto place = [&](int n) {
+            const int column = n % beside(), line = n / beside();
+            return Area{row.x + static_cast<float>(column) * (width + gap),
+                        row.y + static_cast<float>(line) * line_of_controls(), width, row.h};
+        };
         RandomTriangles next = random_;
-        if (const auto kind = ui::segments(ui_, "front/kind", {row.x, row.y, third, row.h}, kKinds,
-                                           static_cast<int>(random_.kind), kKindTips, Face::note))
+        if (const auto kind = ui::segments(ui_, "front/kind", place(0), kKinds, static_cast<int>(random_.kind),
+                                           kKindTips, Face::note))
             next.kind = static_cast<RandomKind>(*kind);
         const std::string far = random_.distance == 0 ? std::string(kAtOrigin) : fmt::format(kPower, random_.distance);
-        if (const auto to = draw_tuning(ui_, {row.x + third + gap, row.y, third, row.h},
-                                        {"front/distance", kDistance, far, kDistanceTip}, random_.distance, kDistances))
+        if (const auto to = draw_tuning(ui_, place(1), {"front/distance", kDistance, far, kDistanceTip},
+                                        random_.distance, kDistances))
             next.distance = static_cast<int>(std::round(*to));
-        if (const auto to = draw_tuning(ui_, {row.x + 2 * (third + gap), row.y, third, row.h},
-                                        {"front/size", kSize, fmt::format("{:g}", random_.size), kSizeTip},
-                                        double{random_.size}, kSizes))
+        if (const auto to =
+                draw_tuning(ui_, place(2), {"front/size", kSize, fmt::format("{:g}", random_.size), kSizeTip},
+                            double{random_.size}, kSizes))
             next.size = static_cast<float>(std::max(1.0, std::round(*to)));
         act(next);
-        return row.bottom() + ui_.px(2);
     }
     [[nodiscard]] std::string hint() const {
         const Measure& measure = context_.state.measure;
@@ -108,7 +124,7 @@ private:
             return fmt::format(kProgress, 100 * measure.share, measure.doing);
         return std::string(here_ ? kHere : points_.empty() ? kNotYet : kEarlier);
     }
-    float draw_run(const Area& row) {
+    void draw_run(const Area& row) {
         const Measure& measure = context_.state.measure;
         const bool on = measure.what == Measure::What::front && measure.live;
         const float width = std::max(ui::button_width(ui_, kRun), ui::button_width(ui_, kStop));
@@ -118,7 +134,6 @@ private:
         const float x = row.x + width + ui_.px(10);
         ui_.text_within(Face::title, {x, ui::baseline_at_middle(ui_.font(Face::title), row.centre().y)},
                         row.right() - x, Role::muted, hint());
-        return row.bottom() + ui_.px(2);
     }
 
     // -- the plot
@@ -133,7 +148,7 @@ private:
         const std::string tip = under == nullptr ? std::string()
                                                  : fmt::format(kPointTip, under->label, brief(under->min_ns),
                                                                front_number(under->max_error));
-        place_.draw(context_, place, points_);
+        if (!place_.secret().empty()) return place_.draw(context_, place, points_);
         const ui::Control region = ui_.control({.name = "front/plot",
                                                 .area = place,
                                                 .kind = ui::Kind::region,

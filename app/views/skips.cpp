@@ -131,8 +131,9 @@ private:
         const int beside = std::clamp(static_cast<int>((inner.w + gap) / (least + gap)), 1, 3);
         const float width = std::floor((inner.w - gap * static_cast<float>(beside - 1)) / static_cast<float>(beside));
         const auto place = [&](int n) {
-            return Area{inner.x + static_cast<float>(n % beside) * (width + gap),
-                        y + static_cast<float>(n / beside) * (high + ui_.px(2)), width, high};
+            const int column = n % beside, line = n / beside;
+            return Area{inner.x + static_cast<float>(column) * (width + gap),
+                        y + static_cast<float>(line) * (high + ui_.px(2)), width, high};
         };
         const int lines = (3 + beside - 1) / beside;
         if (!draws_) return y + static_cast<float>(lines) * (high + ui_.px(2));

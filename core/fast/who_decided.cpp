@@ -64,7 +64,7 @@ Decisions who_decided(std::span<const Vertex, 3> corners, const RasterTexture& t
     if (watch.by_gap) ties.emplace(corners);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            const auto at = static_cast<std::size_t>(y * pitch + x);
+            const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(pitch) + static_cast<std::size_t>(x);
             if (pixels[at] == 0) continue;
             Decision decision = decision_of(deciders[at]);
             if (decision == Decision::certificate && ties && ties->at(x + frame.x0, y + frame.y0))

@@ -1,11 +1,14 @@
 #include "core/measure/rung_picture.h"
 
+#include <algorithm>
+
 #include "core/base/assert.h"
 
 namespace texelscope {
 namespace {
 
 constexpr std::int32_t kNone = -1;
+constexpr std::size_t kRational = 2;  ///< triangles of a method in fractions: a window waits for them
 
 /// The texel that each pixel shows in the end, row * width of the texture + column.
 [[nodiscard]] Grid<std::int32_t> texels_of(RungStage& stage, const Rung& rung, std::size_t triangles) {
@@ -33,7 +36,8 @@ RungPicture rung_picture(const FrontScene& scene, const Rung& rung) {
     TEXELSCOPE_ASSERT(kExact != nullptr);
     RungStage stage(scene);
     RungPicture picture{.frame = scene.frame};
-    picture.triangles = stage.count(rung);
+    const bool rational = rung.kind == RungKind::method && rung.format == NumberFormat::exact;
+    picture.triangles = std::min(stage.count(rung), rational ? kRational : scene.triangles());
     const Grid<std::int32_t> given = texels_of(stage, rung, picture.triangles),
                              exact = texels_of(stage, *kExact, picture.triangles);
     picture.pixels = Grid<PixelVerdict>(scene.frame.width(), scene.frame.height(), PixelVerdict::empty);
