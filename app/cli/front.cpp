@@ -15,6 +15,10 @@
 #include "app/cli/command.h"
 #include "app/cli/output.h"
 #include "app/platform/software.h"
+#include "app/shell/documents.h"
+#include "app/state/front_key.h"
+#include "app/state/lesson_cursor.h"
+#include "app/state/store.h"
 #include "app/views/front_plot.h"
 #include "core/base/file.h"
 #include "core/image/load.h"
@@ -38,7 +42,7 @@ constexpr std::string_view kFootnote =
 
 struct Options {
     std::vector<std::string> scenes, outputs;
-    std::string from, theme = "dark";
+    std::string from, target, theme = "dark";
     int rounds = 9;
     std::uint64_t seed = 1;
 };
@@ -55,7 +59,39 @@ struct Options {
     return kind == ".csv" || kind == ".png" ? kind.substr(1) : std::string();
 }
 
+std::vector<FrontPoint> run_all(FrontOptions front) {
+    FrontRun run(std::move(front));
+    const bool live = isatty(fileno(stderr)) != 0;
+    while (!run.advance(kSlice))
+        if (live) std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100 * run.share(), run.doing().c_str());
+    if (live) std::fprintf(stderr, "\r\033[K");
+    return run.points();
+}
+
+/// The scene of a file, or those of a lesson's beats, each once.
+Result<std::vector<FrontPoint>> measure_own(const Options& options) {
+    const auto state = open_state(options.target, {});
+    if (!state) return state.error();
+    Store store(*state);
+    std::vector<std::string> done;
+    std::vector<FrontPoint> points;
+    for (int beat = 0; beat < std::max(1, beat_count(*state)); ++beat) {
+        if (beat > 0) store.dispatch(action::Advance{1});
+        const Scene& scene = store.derived().scene();
+        const std::string key = front_key(scene, store.state().work);
+        if (std::find(done.begin(), done.end(), key) != done.end()) continue;
+        done.push_back(key);
+        FrontOptions front = default_front();
+        front.rounds = options.rounds;
+        front.own.emplace(key, front_scene_of(scene));
+        const std::vector<FrontPoint> found = run_all(std::move(front));
+        points.insert(points.end(), found.begin(), found.end());
+    }
+    return points;
+}
+
 Result<std::vector<FrontPoint>> measure(const Options& options) {
+    if (!options.target.empty()) return measure_own(options);
     FrontOptions front = default_front();
     front.rounds = options.rounds, front.seed = options.seed;
     if (!options.scenes.empty()) front.scenes.clear();
@@ -66,12 +102,7 @@ Result<std::vector<FrontPoint>> measure(const Options& options) {
             return Error{"--scenes", "'" + id + "' twice, expected each once"};
         front.scenes.push_back(scene);
     }
-    FrontRun run(std::move(front));
-    const bool live = isatty(fileno(stderr)) != 0;
-    while (!run.advance(kSlice))
-        if (live) std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100 * run.share(), run.doing().c_str());
-    if (live) std::fprintf(stderr, "\r\033[K");
-    return run.points();
+    return run_all(std::move(front));
 }
 
 /// The fastest first.
@@ -140,6 +171,8 @@ int run(const Options& options) {
     for (const std::string& file : options.outputs)
         if (kind_of(file).empty())
             return fail({"--output", "'" + file + "', expected a name that ends in .csv or .png"});
+    if (!options.target.empty() && !(options.from.empty() && options.scenes.empty()))
+        return fail({options.target, "given together with --scenes or --from, expected only one of them"});
     if (!options.from.empty() && !options.scenes.empty())
         return fail({"--from", "given together with --scenes, expected only one: its scenes are in the file"});
     Result<std::vector<FrontPoint>> points = Error{};
@@ -161,6 +194,8 @@ int run(const Options& options) {
 
 std::function<int()> define(CLI::App& app) {
     const auto options = std::make_shared<Options>();
+    app.add_option("SCENE", options->target, "a lesson or a scene to measure in place of the built-in ones")
+        ->type_name("LESSON or SCENE");
     app.add_option("--scenes", options->scenes, "some of " + scene_ids() + "; the first four if absent")
         ->delimiter(',');
     app.add_option("--reps", options->rounds, "rounds in which every rung is timed in turn")

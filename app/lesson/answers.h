@@ -53,6 +53,10 @@ namespace texelscope::answers {
 [[nodiscard]] Accepted operations_order(const Asked& asked);
 [[nodiscard]] Accepted set_up_share(const Asked& asked);
 [[nodiscard]] Accepted frames_1995(const Asked& asked);
+// What accuracy costs, and what need not be done (answers_measured.cpp).
+[[nodiscard]] Accepted error_place(const Asked& asked);
+[[nodiscard]] Accepted needed(const Asked& asked);
+[[nodiscard]] Accepted uncertain(const Asked& asked);
 // Two methods over one scene (answers_mappers.cpp).
 [[nodiscard]] Accepted differs(const Asked& asked);
 [[nodiscard]] Accepted cause(const Asked& asked);

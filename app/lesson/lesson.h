@@ -51,10 +51,12 @@ struct BeatSettings {
     std::vector<std::pair<std::string, bool>> quirks;  ///< id or field, on
     /// "pixel 16,11", "texel 7,9", "name u_x", "line quirk.inclusive"; of this beat alone.
     std::optional<std::string> pin;
-    std::optional<RandomTriangles> random;  ///< in place of the scene's
-    std::optional<bool> play, hits;         ///< start playing, in this beat alone; show the hit map
-    std::optional<std::string> against;     ///< what the view `difference` compares with: "METHOD VARIANT NUMBER"
-    std::vector<std::string> views;         ///< replaces the lesson's views, in slot order
+    std::optional<RandomTriangles> random;            ///< in place of the scene's
+    std::optional<bool> play, hits;                   ///< start playing, in this beat alone; show the hit map
+    std::optional<std::string> rung;                  ///< what the view `front` is about
+    std::vector<std::pair<std::string, bool>> skips;  ///< of the view `skips`: id, on; of this beat alone
+    std::optional<std::string> against;  ///< what the view `difference` compares with: "METHOD VARIANT NUMBER"
+    std::vector<std::string> views;      ///< replaces the lesson's views, in slot order
     KeyLines lines;
 };
 

@@ -5,6 +5,7 @@
 
 #include "app/lesson/lesson.h"
 #include "app/lesson/names.h"
+#include "app/lesson/random_text.h"
 #include "app/ui/prose.h"
 
 namespace texelscope {
@@ -58,6 +59,13 @@ namespace {
     return out;
 }
 
+/// "{ inclusive = true, Q6 = false }"; empty where there are none.
+[[nodiscard]] std::string switches(const std::vector<std::pair<std::string, bool>>& all) {
+    std::string text;
+    for (const auto& [name, on] : all) text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, on);
+    return text.empty() ? text : fmt::format("{{ {} }}", text);
+}
+
 [[nodiscard]] std::string print(const BeatSettings& set) {
     std::string out;
     if (set.step) out += pair("step", toml_text(set.step->text()));
@@ -65,13 +73,11 @@ namespace {
     if (set.method) out += pair("method", toml_text(*set.method));
     if (set.number) out += pair("number", toml_text(*set.number));
     if (set.variant) out += pair("variant", toml_text(*set.variant));
-    std::string quirks;
-    for (const auto& [name, on] : set.quirks) quirks += fmt::format("{}{} = {}", quirks.empty() ? "" : ", ", name, on);
-    if (!quirks.empty()) out += pair("quirks", fmt::format("{{ {} }}", quirks));
+    if (const std::string quirks = switches(set.quirks); !quirks.empty()) out += pair("quirks", quirks);
     if (set.pin) out += pair("pin", toml_text(*set.pin));
-    if (set.random)
-        out +=
-            pair("random", toml_text(fmt::format("{} {} {}", set.random->count, set.random->size, set.random->seed)));
+    if (set.random) out += pair("random", toml_text(text_of(*set.random)));
+    if (set.rung) out += pair("rung", toml_text(*set.rung));
+    if (const std::string skips = switches(set.skips); !skips.empty()) out += pair("skips", skips);
     if (set.play) out += pair("play", *set.play ? "true" : "false");
     if (set.hits) out += pair("hits", *set.hits ? "true" : "false");
     if (set.against) out += pair("against", toml_text(*set.against));

@@ -14,6 +14,7 @@
 #include "app/state/derived.h"
 #include "app/state/lesson_cursor.h"
 #include "core/measure/bill.h"
+#include "core/measure/rungs.h"
 
 namespace texelscope {
 namespace {
@@ -84,6 +85,13 @@ constexpr auto kQuestions = std::to_array<Question>({
     {"frames-1995", "", Kind::number, "", "", false,
      "how many times a second the scene's pixels were drawn at 100 ns each; a twentieth either way",
      answers::frames_1995},
+    {kErrorPlace, "RUNG RUNG RUNG", Kind::choice, "less than both|between|more than both", "", false,
+     "where the greatest error of the first lies, beside those of the two others", answers::error_place},
+    {"needed", "TRIANGLES", Kind::number, "", "", false,
+     "how many of so many triangles like the scene's must be drawn, no skip having dropped them; a tenth either way",
+     answers::needed},
+    {"uncertain", "", Kind::pixel, "", "", false,
+     "a pixel of the shape whose texel the certificate of `fast` does not settle", answers::uncertain},
     {"differs", "METHOD VARIANT? NUMBER?", Kind::pixel, "", "", false,
      "a pixel for which another run reads another texel, or that only one of the two draws", answers::differs},
     {"cause", "METHOD VARIANT? NUMBER?", Kind::choice, "coverage|offset|rounding|warp|none", "", false,
@@ -135,6 +143,10 @@ constexpr std::string_view kQuestionsChoose = "Choose first.", kType = "Type a n
         for (const std::string& before : call.words) run += before + " ";
         if (!parse_run(run + std::string(word)))
             return token == "METHOD" ? "the id of a method" : "a variant of the method, then a number format";
+        return call.words.emplace_back(word), std::string{};
+    }
+    if (token == "RUNG") {
+        if (find_rung(word) == nullptr) return "the id of a rung, as `texelscope front` lists them";
         return call.words.emplace_back(word), std::string{};
     }
     const auto number = typed_number(word);

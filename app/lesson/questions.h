@@ -53,8 +53,8 @@ struct Asked {
 
 struct Question {
     std::string_view name;
-    /// Its arguments: NAME, FIELD, RACER, METHOD, VARIANT and NUMBER are words, FROM, TO, V, OUTSIDE, INSIDE and E0 to
-    /// E2 numbers, others whole numbers; "?" behind one: may be left out.
+    /// Its arguments: NAME, FIELD, RACER, RUNG, METHOD, VARIANT and NUMBER are words, FROM, TO, V, OUTSIDE, INSIDE and
+    /// E0 to E2 numbers, others whole numbers; "?" behind one: may be left out.
     std::string_view form;
     Prediction::Kind kind = Prediction::Kind::choice;
     std::string_view options;  ///< what the options stand for, in order, divided by "|"; empty where there are none
@@ -63,6 +63,8 @@ struct Question {
     std::string_view says;     ///< what it asks, for README and lists
     Accepted (*answer)(const Asked&) = nullptr;
 };
+
+inline constexpr std::string_view kErrorPlace = "error-place";  ///< the view `front` lets it be answered by a click
 
 /// All, in the order of lessons/README.md.
 [[nodiscard]] std::span<const Question> questions();

@@ -10,7 +10,10 @@
 #include "app/lesson/names.h"
 #include "app/lesson/prose.h"
 #include "app/lesson/questions.h"
+#include "app/lesson/random_text.h"
 #include "app/state/compared_run.h"
+#include "core/fast/raster.h"
+#include "core/measure/rungs.h"
 #include "core/number/format.h"
 #include "core/scene/jelly_quirk.h"
 #include "core/trace/listing.h"
@@ -45,22 +48,11 @@ void demand_pin(Fields& fields, const std::string& pin, const Method& method) {
     }
 }
 
-/// "300 60 1": how many triangles, the side of the square that holds one, the seed.
-[[nodiscard]] std::optional<RandomTriangles> random_from(std::string_view text) {
-    std::array<double, 3> numbers{};
-    for (std::size_t n = 0; n < numbers.size(); ++n) {
-        const std::size_t end = n + 1 < numbers.size() ? text.find(' ') : text.size();
-        const auto number = end == text.npos ? std::nullopt : typed_number(text.substr(0, end));
-        if (!number) return std::nullopt;
-        numbers[n] = *number;
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    const auto [count, size, seed] = numbers;
-    const bool whole = count == std::floor(count) && seed == std::floor(seed);
-    if (!whole || count < 1 || count > kMostTriangles || size < kLeastTriangleSide || size > kMostTriangleSide ||
-        seed < 0 || seed > kMostSeed)
-        return std::nullopt;
-    return RandomTriangles{static_cast<int>(count), static_cast<float>(size), static_cast<std::uint32_t>(seed)};
+void demand_skip(Fields& fields, std::string_view skip) {
+    std::vector<std::string_view> ids;
+    for (const RasterSkipInfo& info : kRasterSkips) ids.push_back(info.id);
+    if (std::find(ids.begin(), ids.end(), skip) == ids.end())
+        fields.fail("skips", fmt::format("has '{}', expected {}", skip, one_of(ids)));
 }
 
 /// Why parse_path does not read it.
@@ -98,13 +90,17 @@ Result<BeatSettings> read_settings(const std::vector<TomlEntry>& entries, const 
     set.pin = fields.text("pin");
     if (set.pin) demand_pin(fields, *set.pin, *words.method);
     if (const auto random = fields.text("random")) {
-        set.random = random_from(*random);
-        if (!set.random)
-            fields.fail("random",
-                        fmt::format("is '{}', expected TRIANGLES SIZE SEED: whole numbers of 1 to {}, {} to "
-                                    "{} pixels, 0 to {}",
-                                    *random, kMostTriangles, kLeastTriangleSide, kMostTriangleSide, kMostSeed));
+        set.random = parse_random(*random);
+        if (!set.random) fields.fail("random", fmt::format("is '{}', expected {}", *random, random_form()));
     }
+    if (const auto rung = fields.text("rung")) {
+        set.rung = *rung;
+        if (find_rung(*rung) == nullptr)
+            fields.fail("rung",
+                        fmt::format("is '{}', expected the id of a rung, as `texelscope front` lists them", *rung));
+    }
+    set.skips = fields.switches("skips").value_or(TomlSwitches{});
+    for (const auto& [skip, on] : set.skips) demand_skip(fields, skip);
     set.play = fields.truth("play");
     set.hits = fields.truth("hits");
     set.against = fields.text("against");

@@ -49,8 +49,10 @@ struct Needed {
     return std::any_of(scene.textures.begin(), scene.textures.end(),
                        [](const auto& texture) { return !texture->palette.empty(); });
 }
-constexpr std::array<Needed, 5> kNeeded{
+constexpr std::array<Needed, 7> kNeeded{
     {{"race", "random triangles", [](const Scene& s) { return s.random.has_value(); }},
+     {"front", "random triangles", [](const Scene& s) { return s.random.has_value(); }},
+     {"skips", "random triangles", [](const Scene& s) { return s.random.has_value(); }},
      {"palette", "a texture with a palette", has_palette},
      {"solids", "a solid", [](const Scene& s) { return !s.meshes.empty(); }},
      {"frames", "a texture with frames", [](const Scene& s) { return !s.animations.empty(); }},

@@ -9,6 +9,7 @@
 #include "app/state/link.h"
 #include "app/state/store.h"
 #include "app/views/view.h"
+#include "core/base/file.h"
 #include "core/image/load.h"
 #include "core/scene/json.h"
 
@@ -16,6 +17,9 @@ namespace texelscope {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::string_view kFrontFile = "front.csv";  ///< beside a lesson: what `texelscope front LESSON` wrote
+constexpr std::size_t kMostFront = 4U << 20U;         ///< [bytes]
 
 [[nodiscard]] bool is_there(const fs::path& path) {
     std::error_code ignored;
@@ -84,6 +88,12 @@ Result<std::shared_ptr<const Document>> open_lesson(const fs::path& file) {
             fmt::format("scene is '{}', which is not there, expected a file beside the lesson", lesson->scene)};
     auto document = open_scene(scene);
     if (!document) return document.error();
+    if (const fs::path front = file.parent_path() / kFrontFile; is_there(front)) {
+        const auto text = read_file(front, kMostFront);
+        auto points = text ? parse_front(*text, front.string()) : Result<std::vector<FrontPoint>>(text.error());
+        if (!points) return points.error();
+        (*document)->front = *std::move(points);
+    }
     (*document)->id = name_of(*lesson);
     (*document)->files.insert((*document)->files.begin(), file);
     (*document)->lesson = *std::move(lesson);
@@ -154,7 +164,9 @@ Result<State> open_state(const std::string& target, const State& before) {
     }
     State state = opened(*document, before);
     Derived derived;
-    return reduce(state, action::Restore{link->work, link->cursor, link->other, link->difference}, derived);
+    return reduce(state,
+                  action::Restore{link->work, link->cursor, link->other, link->difference, link->rung, link->skips},
+                  derived);
 }
 
 }  // namespace texelscope

@@ -173,7 +173,8 @@ void Shell::paste(const std::string& text) {
         store_.dispatch(action::Open{pasted->document});
         remember_times();
     }
-    store_.dispatch(action::Restore{pasted->work, pasted->cursor, pasted->look.other, pasted->look.difference});
+    const Look& look = pasted->look;
+    store_.dispatch(action::Restore{pasted->work, pasted->cursor, look.other, look.difference, look.rung, look.skips});
 }
 
 void Shell::save(const std::string& suffix, const std::string& bytes) {
@@ -217,7 +218,8 @@ double Shell::due(double now, double rate, double next, const Action& action) {
 
 void Shell::keep_time(const ui::Input& input, bool animated) {
     if (const auto lap = racer_.advance(state(), store_.derived().scene())) store_.dispatch(*lap);
-    if (animated || state().race.running) host_.wants_frames_until(input.time + 0.15);
+    if (const auto found = measurer_.advance(state(), store_.derived().scene())) store_.dispatch(*found);
+    if (animated || state().race.running || state().measure.running) host_.wants_frames_until(input.time + 0.15);
     next_step_ = state().playing ? due(input.time, double{state().look.speed}, next_step_, action::Step{1}) : 0;
     const action::SetFrame next_frame{state().work.frame + 1, kFramesGesture};
     next_frame_ = state().moving ? due(input.time, double{state().look.frame_rate}, next_frame_, next_frame) : 0;

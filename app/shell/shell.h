@@ -8,6 +8,7 @@
 
 #include "app/platform/host.h"
 #include "app/shell/documents.h"
+#include "app/shell/measurer.h"
 #include "app/shell/racer.h"
 #include "app/state/request.h"
 #include "app/state/store.h"
@@ -63,6 +64,7 @@ private:
     glm::vec2 window_{1280, 720};  ///< of the last frame: while presenting type follows it
     std::vector<std::filesystem::file_time_type> times_;
     Racer racer_;
+    Measurer measurer_;
     double next_step_ = 0;   ///< while playing [s]
     double next_frame_ = 0;  ///< while textures move [s]
     std::string title_;

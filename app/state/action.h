@@ -113,6 +113,13 @@ struct FinishLap {
     Lap lap;
     bool last = false;
 };  ///< of the race that runs
+struct StartMeasure {
+    Measure::What what;
+    bool on;
+};  ///< and goes on measuring when the scene changes, until it is stopped
+struct MeasureOn {
+    Measure found;
+};  ///< what is known by now, of the measuring that runs
 struct PlayFrames {
     bool on;
 };
@@ -180,7 +187,9 @@ struct Restore {
     Cursor cursor;
     ComparedRun other;
     bool difference = false;  ///< as of Look
-};                            ///< a pasted state of the document that is open
+    std::string rung = {};    ///< the same
+    std::uint32_t skips = kAllSkips;
+};  ///< a pasted state of the document that is open
 
 }  // namespace action
 
@@ -190,10 +199,10 @@ using Action =
                  action::Speed, action::ToggleBookmark, action::GoToBookmark, action::MoveVertex, action::MoveShape,
                  action::SetDepth, action::TurnRing, action::ChooseHandle, action::Turn, action::ChooseTurning,
                  action::SetRatio, action::SetSizeTwice, action::SetFocal, action::SetFrame, action::SetRandom,
-                 action::StartRace, action::FinishLap, action::PlayFrames, action::FrameRate, action::SetFormat,
-                 action::SetMode, action::SetVariant, action::SetQuirk, action::SetQuirks, action::SetMethod,
-                 action::SetTexture, action::Choose, action::Type, action::Point, action::Check, action::Skip,
-                 action::Hover, action::Pin, action::SetLook, action::Show, action::ChooseLesson, action::Escape,
-                 action::Undo, action::Redo, action::Reset, action::Restore>;
+                 action::StartRace, action::FinishLap, action::StartMeasure, action::MeasureOn, action::PlayFrames,
+                 action::FrameRate, action::SetFormat, action::SetMode, action::SetVariant, action::SetQuirk,
+                 action::SetQuirks, action::SetMethod, action::SetTexture, action::Choose, action::Type, action::Point,
+                 action::Check, action::Skip, action::Hover, action::Pin, action::SetLook, action::Show,
+                 action::ChooseLesson, action::Escape, action::Undo, action::Redo, action::Reset, action::Restore>;
 
 }  // namespace texelscope

@@ -75,7 +75,7 @@ void Derived::update(const State& state) {
     c.state = state;
     const std::unique_ptr<Scene> last_scene = scene_same ? nullptr : std::move(c.scene);
     if (!scene_same) {
-        c.faces.clear(), c.jelly.reset(), c.bills.reset();
+        c.faces.clear(), c.jelly.reset(), c.bills.reset(), c.rung.reset(), c.skips.reset();
         c.scene =
             std::make_unique<Scene>(state.document ? edited_scene(*state.document, state.work, &c.faces) : Scene{});
     }

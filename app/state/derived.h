@@ -11,8 +11,10 @@
 
 #include "app/state/comparisons.h"
 #include "app/state/state.h"
+#include "core/fast/who_decided.h"
 #include "core/geometry/jelly_cubes.h"
 #include "core/image/rgba.h"
+#include "core/measure/rung_picture.h"
 #include "core/method/steps.h"
 #include "core/scene/place.h"
 #include "core/trace/listing.h"
@@ -171,6 +173,12 @@ public:
     [[nodiscard]] const std::vector<MethodCost>& costs() const;
     /// What each method of a race computes for the scene, in the order of racers(); empty without shapes.
     [[nodiscard]] const std::vector<Bill>& bills() const;
+    /// What a rung of the front draws of the scene, against the definition.
+    [[nodiscard]] const RungPicture& rung_picture(const Rung& rung) const;
+    /// Of the scene, with the skips that the look asks for.
+    [[nodiscard]] const SkipCount& skip_count() const;
+    /// Which way `fast` takes to each pixel of the cursor's shape; of nothing where that is no triangle it draws.
+    [[nodiscard]] const Decisions& decisions() const;
     /// Of the cursor's texture. Pixels are those of opaque shapes with a light of 1, which keep the palette's colours.
     [[nodiscard]] const PaletteUse& palette_use() const;
     [[nodiscard]] std::vector<Lane> lanes() const;                 ///< T, G, S, P, E in this order, always five

@@ -23,7 +23,9 @@ struct Derived::Cache {
         JellyCubes cubes;
     };
     std::optional<Jelly> jelly;
-    std::optional<std::vector<Bill>> bills;  ///< of the scene, whatever draws it
+    std::optional<std::vector<Bill>> bills;                    ///< of the scene, whatever draws it
+    std::optional<std::pair<std::string, RungPicture>> rung;   ///< of which rung
+    std::optional<std::pair<std::uint32_t, SkipCount>> skips;  ///< with which skips
     std::unique_ptr<Drawing> drawing;
     std::unique_ptr<Steps> steps;
     Listing listing;
@@ -39,6 +41,7 @@ struct Derived::Cache {
         };
         std::optional<Hits> hits;
         std::optional<ErrorMap> errors;
+        std::optional<std::pair<int, Decisions>> decisions;  ///< of which shape
         std::optional<Difference> difference;
         std::optional<std::pair<const Texture*, PaletteUse>> palette;    ///< of which texture
         std::map<std::pair<int, Integer>, std::vector<TickKind>> rows;   ///< of a shape's stage

@@ -30,6 +30,9 @@ Scene edited_scene(const Document& document, const Work& work, std::vector<Place
     }
     if (scene.random && work.random) {
         scene.random = work.random;
+        if (work.random->distance > 0)
+            scene.framebuffer.origin_x += 1 << work.random->distance,
+                scene.framebuffer.origin_y += 1 << work.random->distance;
         place_random(scene);
     }
     for (const VertexEdit& edit : work.edits) apply(edit, scene);

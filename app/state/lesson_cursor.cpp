@@ -34,6 +34,15 @@ namespace {
     return pin;
 }
 
+/// Of one beat alone: all of them but those it turns off.
+[[nodiscard]] std::uint32_t skips_of(const BeatSettings& set) {
+    std::uint32_t skips = kAllSkips;
+    for (const auto& [id, on] : set.skips)
+        for (const RasterSkipInfo& info : kRasterSkips)
+            if (info.id == id && !on) skips &= without(info.skip);
+    return skips;
+}
+
 void apply(State& state, const BeatSettings& set, std::optional<Path>& step) {
     if (set.method) state.work.method = *set.method;
     const Method& method = *find_method(state.work.method);
@@ -59,6 +68,8 @@ void apply(State& state, const BeatSettings& set, std::optional<Path>& step) {
     state.moving = false;
     if (set.hits) state.look.hits = *set.hits;
     if (set.random) state.work.random = set.random;
+    if (set.rung) state.look.rung = *set.rung;
+    state.look.skips = skips_of(set);
     if (set.against) {
         if (const auto run = parse_run(*set.against)) state.look.other = *run;
     }
@@ -103,7 +114,7 @@ void go_to_beat(State& state, int beat, Derived& derived) {
     state.work.method = lesson.method;
     state.work.random.reset(), state.work.size_twice.reset();
     state.look.hits = state.look.difference = false;
-    state.look.other = {};
+    state.look.other = {}, state.look.rung.clear();
     BeatSettings start;
     start.variant = lesson.variant;
     start.number = lesson.format;

@@ -5,11 +5,14 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include <fmt/format.h>
 
+#include "app/lesson/random_text.h"
 #include "app/state/compared_run.h"
 #include "app/state/lesson_cursor.h"
+#include "core/measure/rungs.h"
 
 namespace texelscope {
 namespace {
@@ -137,14 +140,6 @@ template <class T>
            read_float(parts[6], v.u) && read_float(parts[7], v.v);
 }
 
-/// "count,size,seed", as action::SetRandom would leave it.
-[[nodiscard]] bool read_random(std::string_view text, RandomTriangles& random) {
-    const auto parts = split(text, ',');
-    return parts.size() == 3 && read(parts[0], random.count) && read_float(parts[1], random.size) &&
-           read(parts[2], random.seed) && random.count >= 1 && random.count <= kMostTriangles &&
-           random.size >= kLeastTriangleSide && random.size <= kMostTriangleSide;
-}
-
 /// One "key=value". Returns false where the value makes no sense.
 [[nodiscard]] bool read_field(std::string_view key, std::string_view value, Link& link) {
     Work& work = link.work;
@@ -177,7 +172,8 @@ template <class T>
     if (key == "e") return read_edit(value, work.edits.emplace_back());
     if (key == "r") return read_mesh(value, work.meshes.emplace_back());
     if (key == "c") return read_float(value, work.focal) && work.focal >= 0;
-    if (key == "g") return read_random(value, work.random.emplace());
+    if (key == "g")
+        return work.random = parse_random(value, ',', std::numeric_limits<int>::max()), work.random.has_value();
     if (key == "f") return read(value, work.frame) && work.frame >= 0;
     if (key == "j") return work.size_twice = value == "1", value == "0" || value == "1";
     if (key == "a") return read_answer(value, work.answers.emplace_back());
@@ -187,6 +183,11 @@ template <class T>
         if (run) link.other = *run;
         return static_cast<bool>(run);
     }
+    if (key == "u") {
+        link.rung = unescaped(value).value_or("");
+        return find_rung(link.rung) != nullptr;
+    }
+    if (key == "k") return read(value, link.skips) && link.skips <= kAllSkips;
     if (key == "D") return link.difference = true, value == "1";
     if (key == "t") {
         const auto file = unescaped(value);
@@ -221,11 +222,13 @@ std::string print_link(const State& state) {
     for (const MeshEdit& e : w.meshes) text += print_mesh(e);
     if (w.focal > 0) text += fmt::format(";c={}", w.focal);
     if (w.frame != 0) text += fmt::format(";f={}", w.frame);
-    if (w.random) text += fmt::format(";g={},{},{}", w.random->count, w.random->size, w.random->seed);
+    if (w.random) text += ";g=" + text_of(*w.random, ',');
     if (w.size_twice) text += *w.size_twice ? ";j=1" : ";j=0";
     for (const Answer& a : w.answers) text += ";" + print_answer(a);
     if (const std::string run = text_of(state.look.other); !run.empty()) text += ";d=" + escaped(run);
     if (state.look.difference) text += ";D=1";
+    if (!state.look.rung.empty()) text += ";u=" + escaped(state.look.rung);
+    if ((state.look.skips & kAllSkips) != kAllSkips) text += fmt::format(";k={}", state.look.skips & kAllSkips);
     if (!w.texture_file.empty()) text += ";t=" + escaped(w.texture_file);
     return with_checksum(text);
 }

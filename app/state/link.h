@@ -16,6 +16,8 @@ struct Link {
     Cursor cursor;
     ComparedRun other;
     bool difference = false;  ///< as of Look
+    std::string rung;         ///< the same
+    std::uint32_t skips = kAllSkips;
 };
 
 /// The lesson, the step, and what the person changed. At most 400 characters for a built-in lesson.

@@ -213,8 +213,11 @@ public:
                                        return n >= polygons.size() || polygons[n].random;
                                    }),
                     edits.end());
-        s_.work.random = RandomTriangles{std::clamp(a.to.count, 1, kMostTriangles),
-                                         std::clamp(a.to.size, kLeastTriangleSide, kMostTriangleSide), a.to.seed};
+        RandomTriangles& random = s_.work.random.emplace(a.to);
+        random.count = std::clamp(random.count, 1, kMostTriangles);
+        random.size = std::clamp(random.size, kLeastTriangleSide, kMostTriangleSide);
+        random.distance = std::clamp(random.distance, 0, kMaxDistance);
+        random.waste = std::clamp(random.waste, 0, kMaxWaste);
         settle(false);
     }
     void operator()(const action::StartRace& a) {
@@ -226,6 +229,15 @@ public:
         if (!s_.race.running) return;
         s_.race.laps.push_back(a.lap);
         s_.race.running = !a.last;
+    }
+    void operator()(const action::StartMeasure& a) {
+        Measure& m = s_.measure;
+        if (a.what != m.what) m = {.what = a.what};
+        m.running = m.live = a.on && derived_.drawing().shape_count() > 0;
+        m.share = 0, m.doing.clear();
+    }
+    void operator()(const action::MeasureOn& a) {
+        if (s_.measure.running && s_.measure.what == a.found.what) s_.measure = a.found;
     }
     void operator()(const action::PlayFrames& a) { s_.moving = a.on && derived_.frames().count > 1; }
     void operator()(const action::FrameRate& a) {
@@ -321,8 +333,8 @@ public:
             s_.look.blank = false;
         else if (s_.overlay != Overlay::none)
             s_.overlay = Overlay::none;
-        else if (s_.playing || s_.moving || s_.race.running)
-            s_.playing = s_.moving = s_.race.running = false;
+        else if (s_.playing || s_.moving || s_.race.running || s_.measure.live)
+            s_.playing = s_.moving = s_.race.running = s_.measure.running = s_.measure.live = false;
         else
             s_.pinned = {}, s_.handle = {}, s_.turning = {};
     }
@@ -337,6 +349,7 @@ public:
     void operator()(const action::Restore& a) {
         s_.work = a.work, s_.cursor = a.cursor;
         s_.look.other = a.other, s_.look.difference = a.difference;
+        s_.look.rung = a.rung, s_.look.skips = a.skips;
         s_.cursor.beat = std::clamp(s_.cursor.beat, 0, std::max(0, beat_count(s_) - 1));
         settle();
     }
@@ -438,12 +451,24 @@ private:
 
 }  // namespace
 
+void measure_again(State& state, const Work& before) {
+    if (same_scene(before, state.work)) return;
+    const Measure old = std::move(state.measure);
+    state.measure = {.what = old.what, .running = old.live, .live = old.live};
+}
+
 State reduce(const State& state, const Action& action, Derived& derived) {
     State next = state;
     if (!std::holds_alternative<action::Hover>(action)) next.message = {};
     if (!next.document && !std::holds_alternative<action::Open>(action)) return next;
     std::visit(Reducer(next, derived), action);
     if (next.document != state.document || !same_race(state.work, next.work)) next.race = {};
+    if (next.document != state.document)
+        next.measure = {};
+    else
+        measure_again(next, state.work);
+    if (next.measure.live && next.measure.what == Measure::What::skips && next.look.skips != state.look.skips)
+        next.measure.running = true, next.measure.share = 0;
     derived.update(next);
     return next;
 }

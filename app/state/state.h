@@ -11,7 +11,9 @@
 #include <glm/vec3.hpp>
 
 #include "app/lesson/lesson.h"
+#include "core/measure/front.h"
 #include "core/measure/race.h"
+#include "core/measure/skip_bill.h"
 #include "core/method/drawing.h"
 #include "core/scene/scene.h"
 
@@ -23,6 +25,7 @@ struct Document {
     std::optional<Lesson> lesson;
     Scene scene;
     std::vector<std::string> warnings;
+    std::vector<FrontPoint> front;  ///< measured earlier, from front.csv beside the lesson; `scene` is front_key()
     std::vector<std::filesystem::path> files;  ///< watched for changes
 };
 
@@ -118,13 +121,15 @@ struct Look {
     bool plain_code = true;     ///< trace(…) folded away in the listing
     std::vector<int> unfolded;  ///< folds of the listing that were opened, by their first lines
     bool reduced_motion = false, letter_keys = true;
-    int tab = 0;              ///< of the presenter's panel, or of the column above 150 %
-    float zoom = 0;           ///< canvas pixels per scene pixel; 0: fit
-    glm::vec2 centre{0};      ///< scene point at the canvas' centre, where zoom is not 0
-    float speed = 8;          ///< steps a second while playing
-    ComparedRun other;        ///< what the view `difference` compares with
-    bool difference = false;  ///< that view stands in the side's last place, whatever the lesson shows
-    float frame_rate = 8;     ///< frames a second of textures that move
+    int tab = 0;                      ///< of the presenter's panel, or of the column above 150 %
+    float zoom = 0;                   ///< canvas pixels per scene pixel; 0: fit
+    glm::vec2 centre{0};              ///< scene point at the canvas' centre, where zoom is not 0
+    float speed = 8;                  ///< steps a second while playing
+    ComparedRun other;                ///< what the view `difference` compares with
+    bool difference = false;          ///< that view stands in the side's last place, whatever the lesson shows
+    float frame_rate = 8;             ///< frames a second of textures that move
+    std::string rung;                 ///< id of the rung that the view `front` is about; empty for none
+    std::uint32_t skips = kAllSkips;  ///< of the view `skips`, as RasterSettings::skips
     friend bool operator==(const Look&, const Look&) = default;
 };
 
@@ -135,6 +140,18 @@ enum class Overlay : std::uint8_t { none, lessons, keys, formats, quirks, go_to 
 struct Race {
     bool running = false;
     std::vector<Lap> laps;  ///< finished, in the order of racers() (core/measure/bill.h)
+};
+
+/// What the views `front` and `skips` time: rungs, or the scene without some of its skips. No part of Work: undo brings
+/// no timings back.
+struct Measure {
+    enum class What : std::uint8_t { nothing, front, skips } what = What::nothing;
+    bool running = false;
+    bool live = false;  ///< measured anew whenever the scene changes
+    double share = 0;   ///< of the run [0, 1]
+    std::string doing;  ///< for a person to see
+    std::vector<FrontPoint> front;
+    std::vector<SkipTime> skips;
 };
 
 /// The corner that keys move.
@@ -165,6 +182,7 @@ struct State {
     bool moving = false;  ///< textures that move do
     std::vector<Path> bookmarks;
     Race race;
+    Measure measure;
     Message message;  ///< one line, until the next action
 };
 

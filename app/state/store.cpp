@@ -57,6 +57,7 @@ void Store::undo(std::vector<Entry>& from, std::vector<Entry>& to) {
     state_.cursor = std::move(from.back().cursor);
     state_.message = {};
     if (!same_race(to.back().work, state_.work)) state_.race = {};
+    measure_again(state_, to.back().work);
     state_.moving = false;  // or the next frame would be an edit, and there were nothing left to redo
     from.pop_back();
     derived_.update(state_);
@@ -66,7 +67,7 @@ State opened(std::shared_ptr<const Document> document, const State& before) {
     State state;
     state.look = before.look;
     state.look.hits = state.look.palette = state.look.difference = false;
-    state.look.other = {};
+    state.look.other = {}, state.look.rung.clear(), state.look.skips = kAllSkips;
     state.look.zoom = 0;
     state.done = before.done;
     state.chosen_lesson = before.chosen_lesson;

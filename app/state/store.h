@@ -12,6 +12,9 @@ namespace texelscope {
 /// The next state. Pure but for what `derived` remembers: steps are looked up there. Undo and Redo are the Store's.
 [[nodiscard]] State reduce(const State& state, const Action& action, Derived& derived);
 
+/// After a change of the scene: what was measured is forgotten, and measured anew where it is live.
+void measure_again(State& state, const Work& before);
+
 class Store {
 public:
     explicit Store(State state) : state_(std::move(state)) { derived_.update(state_); }

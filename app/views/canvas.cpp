@@ -8,6 +8,7 @@
 
 #include "app/views/canvas_parts.h"
 #include "app/views/canvas_sections.h"
+#include "app/views/rung_marks.h"
 
 namespace texelscope::canvas::canvas_view {
 namespace {
@@ -75,6 +76,7 @@ void draw_layers(Sheet& sheet) {
     draw_samples(sheet);
     if (!sheet.ctx.state.look.hits) draw_numbers(sheet);
     draw_ghosts(sheet);
+    if (shows(sheet.ctx.state, "front")) draw_rung_marks(sheet);
     const bool weights = shows(sheet.ctx.state, "weights");
     if (weights) draw_weight_areas(sheet);
     draw_outlines(sheet);
@@ -101,7 +103,8 @@ void draw_layers(Sheet& sheet) {
     draw_sample_note(sheet);
     // Over all marks: nothing may hide where the cursor stands.
     draw_current_pixel(sheet);
-    draw_notices(sheet);
+    const auto& random = sheet.ctx.derived.scene().random;
+    if (!random || random->waste == 0) draw_notices(sheet);  // waste is what they are for
 }
 
 /// Not where a picture has room for all of its pixels only without them.

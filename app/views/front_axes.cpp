@@ -38,7 +38,8 @@ float Scale::at(double value) const {
 }
 
 Axes::Axes(ui::Ui& ui, const ui::Area& area, std::span<const FrontPoint* const> points) : ui_(ui), area_(area) {
-    const float left = ui::text_width(ui.font(Face::code_note), "10") + ui.px(26);
+    const float left =
+        ui::text_width(ui.font(Face::code_note), "10") + ui::text_width(ui.font(Face::ruler), "-15") + ui.px(12);
     const float top = ui.px(3 * kFrontAxesLine), bottom = ui.px(2 * kFrontAxesLine);
     plot_ = {area.x + left, area.y + top, area.w - left, area.h - top - bottom};
     double least = 1, most = 1, fastest = 1e9, slowest = 0;

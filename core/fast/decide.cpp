@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/assert.h"
+#include "core/fast/watch.h"
 #include "core/number/float_bits.h"
 
 namespace texelscope {
@@ -61,6 +62,7 @@ WideTriangle::Gaps Decider::gaps() { return wide() ? wide_->gaps() : WideTriangl
 
 std::uint32_t Decider::texel(int x, int y) {
     ++canvas_->counters->in_whole;
+    watch(*canvas_, x, y, wide() ? DecidedBy::wide : DecidedBy::exact);
     const TexelIndex texel =
         wide() ? wide_->texel(x, y) : exact().texel(x + canvas_->target.x0, y + canvas_->target.y0);
     return place_of(canvas_->texture, texel);

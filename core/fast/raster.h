@@ -82,12 +82,15 @@ inline constexpr std::array<RasterSkipInfo, 8> kRasterSkips{{
 
 inline constexpr int kMaxRasterThreads = 64;
 
+struct RasterWatch;  // core/fast/watch.h
+
 struct RasterSettings {
     SimdLevel level = SimdLevel::best;  ///< must be supported
     std::uint32_t skips = ~0U;          ///< bit n: RasterSkip n is on
     bool certain = true;  ///< off: what lies in doubt stays as it is, to measure what deciding it costs; only for
                           ///< textures of powers of two that repeat, without depth
     int threads = 1;      ///< each draws a band of the target, [1, kMaxRasterThreads]
+    RasterWatch* watch = nullptr;  ///< is told who decided what; null: nobody asks. On one thread only
 
     [[nodiscard]] constexpr bool skip(RasterSkip which) const {
         return (skips >> static_cast<unsigned>(which) & 1U) != 0;

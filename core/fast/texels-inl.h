@@ -11,6 +11,7 @@
 
 #include "core/fast/decide.h"
 #include "core/fast/setup-inl.h"
+#include "core/fast/watch.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace texelscope {
@@ -225,6 +226,7 @@ public:
             !decided(right, down, b_.v, b_.v_over, b_.v_far.at[t_], texture.height, index.v))
             return false;
         texel = texel_at(canvas_, place_of(texture, index));
+        watch(canvas_, x, y, DecidedBy::in_double);
         return true;
     }
     /// The same, in any case.
@@ -235,6 +237,7 @@ public:
     [[nodiscard]] float depth(int x, int y) { return decider_.depth(x, y); }
     [[nodiscard]] HalfGaps half_gaps() {
         const WideTriangle::Gaps gaps = decider_.gaps();
+        if (canvas_.settings->watch != nullptr) canvas_.settings->watch->by_gap = true;
         return {gaps.u / 2 * texel_units(canvas_, b_.u, t_, canvas_.texture.width),
                 gaps.v / 2 * texel_units(canvas_, b_.v, t_, canvas_.texture.height)};
     }

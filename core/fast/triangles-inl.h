@@ -91,6 +91,9 @@ HWY_INLINE void flush(Batch& batch, int& count, const Canvas& canvas) {
         ++canvas.counters->drawn;
         // Culled only here where the skip is off: it costs what it costs, and shows nothing.
         if (canvas.job->cull_back && batch.front.at[t] == 0) continue;
+        if (RasterWatch* const watch = canvas.settings->watch)
+            watch->u_doubt = batch.u.doubt.at[t] / texel_units(canvas, batch.u, t, canvas.texture.width),
+            watch->v_doubt = batch.v.doubt.at[t] / texel_units(canvas, batch.v, t, canvas.texture.height);
         if (batch.good.at[t] != 0)
             draw_triangle<kAddressing, kDepth, kCertain>(batch, t, canvas);
         else

@@ -156,7 +156,7 @@ FrontOptions default_front() {
 }
 
 FrontRun::FrontRun(FrontOptions options, Clock clock) : options_(std::move(options)), clock_(std::move(clock)) {
-    if (options_.scenes.empty() || options_.rungs.empty())
+    if (scene_count() == 0 || options_.rungs.empty() || (options_.own && options_.own->second.triangles() == 0))
         phase_ = Phase::over;
     else
         begin_scene();
@@ -166,7 +166,8 @@ FrontRun::~FrontRun() = default;
 
 void FrontRun::begin_scene() {
     phase_ = Phase::reference;
-    stage_ = std::make_unique<RungStage>(options_.scenes[scene_]->make(options_.seed));
+    stage_ =
+        std::make_unique<RungStage>(options_.own ? options_.own->second : options_.scenes[scene_]->make(options_.seed));
     reference_ = std::make_unique<Reference>();
     rung_ = triangle_ = 0, round_ = 0, done_ = 0;
     first_point_ = points_.size();
@@ -196,7 +197,7 @@ void FrontRun::measure_triangle() {
     if (triangle_ == 0) {
         tally_ = std::make_unique<Tally>();
         FrontPoint& point = tally_->point;
-        point.scene = options_.scenes[scene_]->id, point.rung = rung().id;
+        point.scene = scene_id(), point.rung = rung().id;
         point.label = rung().label, point.kind = id_of(rung().kind);
         point.numbers = id_of(rung().format);
     }
@@ -235,10 +236,14 @@ void FrontRun::end_scene() {
         point.min_ns = *std::min_element(times_[n].begin(), times_[n].end());
     }
     mark_dominated(std::span(points_).subspan(first_point_));
-    if (++scene_ < options_.scenes.size())
+    if (++scene_ < scene_count())
         begin_scene();
     else
         phase_ = Phase::over;
+}
+
+std::string_view FrontRun::scene_id() const {
+    return options_.own ? std::string_view(options_.own->first) : options_.scenes[scene_]->id;
 }
 
 bool FrontRun::advance(double seconds) {
@@ -251,11 +256,11 @@ bool FrontRun::advance(double seconds) {
 double FrontRun::share() const {
     if (phase_ == Phase::over) return 1;
     const double here = static_cast<double>(done_) / static_cast<double>(of_);
-    return (static_cast<double>(scene_) + here) / static_cast<double>(options_.scenes.size());
+    return (static_cast<double>(scene_) + here) / static_cast<double>(scene_count());
 }
 std::string FrontRun::doing() const {
     if (phase_ == Phase::over) return {};
-    const std::string scene(options_.scenes[scene_]->id);
+    const std::string scene(scene_id());
     if (phase_ == Phase::reference) return scene + ": exact arithmetic";
     if (phase_ == Phase::errors) return scene + ": error of " + rung().label;
     return scene + ": time of " + rung().label;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
@@ -42,6 +43,7 @@ void mark_dominated(std::span<FrontPoint> points);
 
 struct FrontOptions {
     std::vector<const FrontSceneInfo*> scenes;
+    std::optional<std::pair<std::string, FrontScene>> own;  ///< in place of `scenes`: a person's, with its name
     std::vector<const Rung*> rungs;
     int rounds = 5;          ///< that each rung is timed for, in turn with all others; 0 = no times
     std::uint64_t seed = 1;  ///< of the scenes
@@ -75,6 +77,8 @@ private:
     struct Tally;
     enum class Phase : std::uint8_t { reference, errors, times, over };
 
+    [[nodiscard]] std::size_t scene_count() const { return options_.own ? 1 : options_.scenes.size(); }
+    [[nodiscard]] std::string_view scene_id() const;
     [[nodiscard]] const Rung& rung() const { return *options_.rungs[rung_]; }
     void begin_scene();
     void measure_triangle();

@@ -8,10 +8,14 @@
 
 #include <glm/glm.hpp>
 
+#include "core/geometry/polygon.h"
+#include "core/scene/scene.h"
+
 namespace texelscope {
 namespace {
 
 constexpr int kSide = 256, kFar = 1 << 16;
+constexpr int kReach = 256;  ///< beyond the frame: what lies farther out is no longer a scene of this kind [px]
 constexpr int kCount = 240;
 constexpr float kMost = 224;  ///< the largest triangles [px]
 constexpr float kTexels = kFrontTexture;
@@ -108,6 +112,23 @@ constexpr std::array<FrontSceneInfo, 5> kScenes{{
 }};
 
 }  // namespace
+
+FrontScene front_scene_of(const Scene& scene) {
+    FrontScene front{.frame = scene.framebuffer.rect()};
+    for (const Polygon& polygon : scene.polygons) {
+        const std::vector<Vertex>& corners = polygon.vertices;
+        const Rect reach{front.frame.x0 - kReach, front.frame.y0 - kReach, front.frame.x1 + kReach,
+                         front.frame.y1 + kReach};
+        const auto fine = [&](const Vertex& v) {
+            return is_drawable(v) && v.x >= static_cast<float>(reach.x0) && v.x <= static_cast<float>(reach.x1) &&
+                   v.y >= static_cast<float>(reach.y0) && v.y <= static_cast<float>(reach.y1);
+        };
+        if (!std::all_of(corners.begin(), corners.end(), fine)) continue;
+        for (std::size_t k = 2; k < corners.size() && front.triangles() < kMostFrontTriangles; ++k)
+            add(front, {corners[0], corners[k - 1], corners[k]});
+    }
+    return front;
+}
 
 std::span<const FrontSceneInfo> front_scenes() { return kScenes; }
 

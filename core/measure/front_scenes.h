@@ -29,6 +29,12 @@ struct FrontSceneInfo {
     FrontScene (*make)(std::uint64_t seed);  ///< the same seed gives the same triangles everywhere
 };
 
+struct Scene;
+/// The triangles that a scene's polygons are cut into, their fronts to us; what has no area, or numbers that cannot be
+/// drawn, is left out. At most kMostFrontTriangles of them.
+[[nodiscard]] FrontScene front_scene_of(const Scene& scene);
+inline constexpr std::size_t kMostFrontTriangles = 240;
+
 /// In the order in which tables and pictures show them.
 [[nodiscard]] std::span<const FrontSceneInfo> front_scenes();
 /// Null where there is none of that id.

@@ -114,9 +114,15 @@ private:
                          if (!(r.size > 0) || r.size > kMaxSize)
                              read_.wrong(v, "size", fmt::format("a number above 0, at most {}", kMaxSize));
                      }),
-            optional("seed", [&](const JsonValue& v) {
-                r.seed = static_cast<std::uint32_t>(read_.whole(v, "seed", 0, std::numeric_limits<int>::max()));
-            }));
+            optional("seed",
+                     [&](const JsonValue& v) {
+                         r.seed =
+                             static_cast<std::uint32_t>(read_.whole(v, "seed", 0, std::numeric_limits<int>::max()));
+                     }),
+            optional(
+                "kind",
+                [&](const JsonValue& v) { r.kind = static_cast<RandomKind>(read_.choice(v, "kind", kRandomKinds)); }),
+            optional("waste", [&](const JsonValue& v) { r.waste = read_.whole(v, "waste", 0, kMaxWaste); }));
         return r;
     }
 

@@ -106,6 +106,14 @@ void write_camera(const Camera& camera, std::string& out) {
     if (!members.empty()) out += ",\n  \"camera\": {" + members + " }";
 }
 
+void write_random(const RandomTriangles& r, std::string& out) {
+    fmt::format_to(Out(out), ",\n  \"random\": {{ \"triangles\": {}, \"size\": {}, \"seed\": {}", r.count,
+                   json_number(r.size), r.seed);
+    if (r.kind != RandomKind::plain) out += ", \"kind\": " + json_text(kRandomKinds[static_cast<std::size_t>(r.kind)]);
+    if (r.waste > 0) fmt::format_to(Out(out), ", \"waste\": {}", r.waste);
+    out += " }";
+}
+
 }  // namespace
 
 std::string scene_to_json(const Scene& scene) {
@@ -146,9 +154,7 @@ std::string scene_to_json(const Scene& scene) {
     if (!scene.meshes.empty()) out += " ]";
     if (scene.size_twice) out += ",\n  \"quirks\": [" + json_text(kJellyQuirk.field) + "]";
     write_camera(scene.camera, out);
-    if (scene.random)
-        fmt::format_to(Out(out), ",\n  \"random\": {{ \"triangles\": {}, \"size\": {}, \"seed\": {} }}",
-                       scene.random->count, json_number(scene.random->size), scene.random->seed);
+    if (scene.random) write_random(*scene.random, out);
     return out + " }\n";
 }
 

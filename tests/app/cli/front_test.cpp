@@ -43,6 +43,8 @@ TEST(FrontCommand, WrongUseIsAnErrorThatNamesWhatIsExpected) {
     expect_refused("--from /nonexistent/front.csv", "/nonexistent/front.csv");
     expect_refused("--from a.csv --scenes near", "--from");
     expect_refused("--theme blue", "blue");
+    expect_refused("19 --scenes near", "only one of them");
+    expect_refused("/nonexistent/scene.json", "/nonexistent/scene.json");
 }
 
 TEST(FrontCommand, ADamagedCsvIsNamedWithItsLine) {
@@ -70,6 +72,21 @@ TEST(FrontCommand, WritesATableACsvAndAPictureThatIsDrawnAgainFromTheCsv) {
     const auto second = load_image(again.path());
     ASSERT_TRUE(second);
     EXPECT_EQ(*second, *picture);
+}
+
+TEST(FrontCommand, MeasuresASceneOfOnesOwn) {
+    const Scratch scene("scene.json"), csv("own.csv");
+    std::ofstream(scene.path()) << R"({ "texelscope": 1, "framebuffer": { "width": 64, "height": 48 },
+        "polygons": [], "random": { "triangles": 7, "size": 40, "seed": 3 } })";
+    const Ran ran = run_program("front " + scene.path() + " --reps 5 -o " + csv.path());
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const auto text = read_file(csv.path(), 1 << 20);
+    ASSERT_TRUE(text);
+    const auto points = parse_front(*text, "csv");
+    ASSERT_TRUE(points) << points.error().text();
+    ASSERT_EQ(points->size(), rungs().size());
+    EXPECT_EQ(points->front().scene, "7 40 3");
+    EXPECT_EQ(points->front().triangles, 7);
 }
 
 }  // namespace

@@ -248,6 +248,8 @@ TEST(Questions, EachIsNamedOnceAndDocumented) {
     if (question.form == "RACER RACER RACER") return call + " sections edge-walk barycentric";
     if (question.form == "RACER?") return call + " sections";
     if (question.form.starts_with("METHOD")) return call + (a % 2 == 0 ? " barycentric" : " forward as-printed fx8.8");
+    if (question.form == "RUNG RUNG RUNG") return call + " fixed-steps edge-equations:f64 edge-equations:f32";
+    if (question.form == "TRIANGLES") return call + " 1000";
     if (question.name == "first-flip") return call + " 0 100 10000 1000000";
     if (question.form == "N") return call + " " + std::to_string(100 * a);
     if (!question.form.empty()) call += " " + std::to_string(a) + " " + std::to_string(b);

@@ -93,7 +93,7 @@ TEST(Software, PicturesThatAreNotAskedForAreForgottenAndTheirHandlesDrawNothing)
 TEST(Software, AnEmptyPictureShowsNothing) {
     SoftwarePlatform platform;
     platform.frame(input_of_size(4, 4), [&] {
-        ImGui::GetBackgroundDrawList()->AddImage(platform.textures().image(1, 1, {}), {0, 0}, {4, 4});
+        ImGui::GetBackgroundDrawList()->AddImage(platform.textures().image(1, 1, Grid<Rgba>()), {0, 0}, {4, 4});
     });
     EXPECT_EQ(platform.picture(), Image(4, 4));
 }

@@ -20,7 +20,8 @@ struct Fault {
 };
 
 const std::vector<Fault> kFaults{
-    {"UnknownView", "\"texels\", \"code\"", "\"texel\", \"code\"", 6, "has 'texel', expected buffer, bytes, code,"},
+    {"UnknownView", "\"texels\", \"code\"", "\"texel\", \"code\"", 6,
+     "has 'texel', expected buffer, bytes, certificate, code,"},
     {"CanvasIsNoSideView", "\"texels\", \"code\"", "\"canvas\", \"code\"", 6, "has 'canvas', expected buffer"},
     {"ViewTwice", "\"texels\", \"code\"", "\"code\", \"code\"", 6, "has 'code' twice"},
     {"ViewOfAnotherMethod", "\"texels\", \"code\"", "\"texels\", \"code\", \"ring\"", 6,

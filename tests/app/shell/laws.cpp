@@ -61,7 +61,8 @@ std::string broken_law(Headless& app) {
         link->work.quirks != state.work.quirks || link->work.meshes != state.work.meshes ||
         link->work.focal != state.work.focal || link->work.frame != state.work.frame ||
         link->work.random != state.work.random || link->work.size_twice != state.work.size_twice ||
-        link->other != state.look.other || link->difference != state.look.difference) {
+        link->other != state.look.other || link->difference != state.look.difference || link->rung != state.look.rung ||
+        link->skips != state.look.skips) {
         return "the state does not survive being copied and pasted";
     }
     if (std::string law = broken_step_law(copy_of(app), 5); !law.empty()) return law;

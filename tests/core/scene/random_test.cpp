@@ -54,6 +54,45 @@ TEST(Random, IsWrittenBackAsItWasAskedFor) {
     EXPECT_EQ(again->scene.polygons, loaded->scene.polygons);
 }
 
+TEST(Random, KindsAndWasteAreWrittenBackToo) {
+    const auto loaded = with(R"("depth": "less", "random": { "triangles": 9, "kind": "slivers", "waste": 40 })");
+    ASSERT_TRUE(loaded) << loaded.error().text();
+    EXPECT_EQ(loaded->scene.random->kind, RandomKind::slivers);
+    EXPECT_EQ(loaded->scene.random->waste, 40);
+    const auto again = parse_scene(scene_to_json(loaded->scene), "again.json", {});
+    ASSERT_TRUE(again) << again.error().text();
+    EXPECT_EQ(again->scene.random, loaded->scene.random);
+    EXPECT_EQ(again->scene.polygons, loaded->scene.polygons);
+}
+
+TEST(Random, FarFromTheOriginLieTheSameTriangles) {
+    const auto near = with(R"("random": { "triangles": 60, "size": 90, "seed": 4 })"),
+               far = parse_scene(R"({ "texelscope": 1, "framebuffer": { "width": 640, "height": 480,
+                                      "origin": [524288, 524288] },
+                                      "random": { "triangles": 60, "size": 90, "seed": 4 } })",
+                                 "far.json", {});
+    ASSERT_TRUE(near && far);
+    for (std::size_t n = 0; n < 60; ++n)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vertex &a = near->scene.polygons[n].vertices[k], &b = far->scene.polygons[n].vertices[k];
+            EXPECT_EQ(a.x + 524288, b.x);
+            EXPECT_EQ(a.y + 524288, b.y);
+        }
+}
+
+TEST(Random, SteepOnesDifferInDepthAndSliversAreThin) {
+    const auto steep = with(R"("random": { "triangles": 60, "kind": "steep" })"),
+               thin = with(R"("random": { "triangles": 60, "size": 100, "kind": "slivers" })");
+    ASSERT_TRUE(steep && thin);
+    for (const Polygon& p : steep->scene.polygons)
+        for (const Vertex& v : p.vertices) EXPECT_TRUE(v.w >= 1 && v.w <= 16) << v.w;
+    for (const Polygon& p : thin->scene.polygons) {
+        const double area = std::abs(doubled_area(p.vertices));
+        EXPECT_GT(area, 0);
+        EXPECT_LE(area, 100 * 3.5);
+    }
+}
+
 TEST(Random, PlacingAgainReplacesThem) {
     auto loaded = with(R"("random": { "triangles": 12 })");
     ASSERT_TRUE(loaded);
@@ -69,7 +108,8 @@ TEST(Random, WrongNumbersAreNamed) {
     for (const char* wrong :
          {R"("random": {})", R"("random": { "triangles": 0 })", R"("random": { "triangles": 1e9 })",
           R"("random": { "triangles": 5, "size": 0 })", R"("random": { "triangles": 5, "size": "nan" })",
-          R"("random": { "triangles": 5, "seed": -1 })", R"("random": 5)"}) {
+          R"("random": { "triangles": 5, "seed": -1 })", R"("random": { "triangles": 5, "kind": "round" })",
+          R"("random": { "triangles": 5, "waste": 96 })", R"("random": 5)"}) {
         const auto loaded = with(wrong);
         ASSERT_FALSE(loaded) << wrong;
         EXPECT_EQ(loaded.error().where, "s.json:1") << wrong;
