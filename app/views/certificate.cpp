@@ -13,7 +13,7 @@
 #include "app/views/race_table.h"
 #include "app/views/terms.h"
 
-namespace texelscope::canvas {
+namespace texelscope::canvas::certificate_view {
 namespace {
 
 using ui::Area;
@@ -273,4 +273,4 @@ constexpr View kView{"certificate", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope::canvas
+}  // namespace texelscope::canvas::certificate_view

@@ -17,7 +17,7 @@
 #include "app/views/terms.h"
 #include "app/views/tuning.h"
 
-namespace texelscope {
+namespace texelscope::front_view {
 namespace {
 
 using ui::Area;
@@ -228,4 +228,4 @@ constexpr View kView{"front", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::front_view

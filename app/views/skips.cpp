@@ -13,7 +13,7 @@
 #include "app/views/terms.h"
 #include "app/views/tuning.h"
 
-namespace texelscope {
+namespace texelscope::skips_view {
 namespace {
 
 using ui::Area;
@@ -293,4 +293,4 @@ constexpr View kView{"skips", kTitle, draw};
 const RegisterView kRegistered(kView);
 
 }  // namespace
-}  // namespace texelscope
+}  // namespace texelscope::skips_view

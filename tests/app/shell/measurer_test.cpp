@@ -11,7 +11,7 @@ namespace texelscope {
 namespace {
 
 /// Goes on by a tenth of a slice whenever it is read, so that a slice ends after a few steps.
-struct SteadyClock {
+struct TenthClock {
     std::shared_ptr<double> time = std::make_shared<double>(0);
     double operator()() const { return *time += Measurer::kSlice / 10; }
 };
@@ -26,7 +26,7 @@ int run(Store& store, Measurer& measurer) {
 
 TEST(Measurer, MeasuresTheFrontInSlicesAndStops) {
     Store store{opened(random_document(), {})};
-    const SteadyClock clock;
+    const TenthClock clock;
     Measurer measurer(clock);
     EXPECT_FALSE(measurer.advance(store.state(), store.derived().scene())) << "nobody asked for it";
     store.dispatch(action::StartMeasure{Measure::What::front, true});
@@ -53,7 +53,7 @@ TEST(Measurer, MeasuresTheFrontInSlicesAndStops) {
 
 TEST(Measurer, AnotherSceneIsMeasuredAnewWhileItIsLive) {
     Store store{opened(random_document(), {})};
-    Measurer measurer{SteadyClock{}};
+    Measurer measurer{TenthClock{}};
     store.dispatch(action::StartMeasure{Measure::What::front, true});
     run(store, measurer);
     ASSERT_FALSE(store.state().measure.front.empty());
@@ -74,7 +74,7 @@ TEST(Measurer, AnotherSceneIsMeasuredAnewWhileItIsLive) {
 
 TEST(Measurer, TheSceneMayChangeInTheMiddle) {
     Store store{opened(random_document(), {})};
-    Measurer measurer{SteadyClock{}};
+    Measurer measurer{TenthClock{}};
     store.dispatch(action::StartMeasure{Measure::What::front, true});
     for (int n = 0; n < 5; ++n)
         if (const auto found = measurer.advance(store.state(), store.derived().scene())) store.dispatch(*found);
@@ -86,7 +86,7 @@ TEST(Measurer, TheSceneMayChangeInTheMiddle) {
 
 TEST(Measurer, SkipsAreTimedAndAgainForAnotherSwitch) {
     Store store{opened(random_document(), {})};
-    Measurer measurer{SteadyClock{}};
+    Measurer measurer{TenthClock{}};
     store.dispatch(action::StartMeasure{Measure::What::skips, true});
     run(store, measurer);
     EXPECT_EQ(store.state().measure.skips.size(), kRasterSkips.size() + 2);
@@ -101,7 +101,7 @@ TEST(Measurer, SkipsAreTimedAndAgainForAnotherSwitch) {
 
 TEST(Measurer, EscapeStopsItAndAnotherDocumentForgetsIt) {
     Store store{opened(random_document(), {})};
-    Measurer measurer{SteadyClock{}};
+    Measurer measurer{TenthClock{}};
     store.dispatch(action::StartMeasure{Measure::What::skips, true});
     store.dispatch(action::Escape{});
     EXPECT_FALSE(store.state().measure.running);
