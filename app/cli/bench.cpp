@@ -37,7 +37,7 @@ struct Options {
     std::vector<std::string> files;
     std::string texture, output;
     int reps = 0;  ///< 0: until the median is stable
-    bool stats = false;
+    bool stats = false, no_certificates = false;
 };
 
 [[nodiscard]] double seconds() {
@@ -84,7 +84,7 @@ Result<Lane> lane_of(const std::string& target, const Options& options) {
         texels = default_texels(*file);
     }
     Lane lane{.name = std::filesystem::path(target).stem().string(), .triangles = file->vertices.size() / 3};
-    auto racer = make_racer(*std::move(file), std::move(texels), options.draw, target);
+    auto racer = make_racer(*std::move(file), std::move(texels), options.draw, !options.no_certificates, target);
     if (!racer) return racer.error();
     lane.racer = *std::move(racer);
     return lane;
@@ -160,6 +160,8 @@ std::function<int()> define(CLI::App& app) {
         ->type_name("R");
     app.add_option("-o,--output", options->output, "what was drawn, as a PNG");
     app.add_flag("--stats", options->stats, "print how often fast made each decision, as JSON on stderr");
+    app.add_flag("--no-certificates", options->no_certificates,
+                 "let fast leave what lies in doubt as it is, to time what deciding costs; nothing else");
     add_draw_options(app, options->draw);
     return [options] { return run(*options); };
 }

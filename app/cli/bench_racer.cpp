@@ -130,14 +130,17 @@ Result<RasterSettings> fast_settings(const DrawOptions& options) {
 }  // namespace
 
 Result<std::unique_ptr<BenchRacer>> make_racer(TrianglesFile file, Image texels, const DrawOptions& options,
-                                               const std::string& name) {
+                                               bool certificates, const std::string& name) {
     if (options.method == kFastMethod) {
-        const auto settings = fast_settings(options);
+        auto settings = fast_settings(options);
         if (!settings) return settings.error();
+        settings->certain = certificates;
         return std::unique_ptr<BenchRacer>(std::make_unique<FastRacer>(std::move(file), texels, *settings));
     }
     const auto settings = draw_settings(options);
     if (!settings) return settings.error();
+    if (!certificates)
+        return Error{"", fmt::format("--no-certificates is for the method fast, not for {}", options.method)};
     if (file.vertices.size() / 3 > kMostInScene)
         return Error{name, fmt::format("there are {} triangles, expected at most {} for the method {}",
                                        file.vertices.size() / 3, kMostInScene, options.method)};

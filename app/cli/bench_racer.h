@@ -31,8 +31,9 @@ public:
 };
 
 /// Fails where the options are wrong, or what they name cannot draw these triangles.
-/// @param name  of the triangles, for the error.
+/// @param certificates  RasterSettings::certain.
+/// @param name          of the triangles, for the error.
 Result<std::unique_ptr<BenchRacer>> make_racer(TrianglesFile file, Image texels, const DrawOptions& options,
-                                               const std::string& name);
+                                               bool certificates, const std::string& name);
 
 }  // namespace texelscope

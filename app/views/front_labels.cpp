@@ -20,6 +20,7 @@ using ui::Role;
 constexpr float kScan = 6;          ///< between two places that are tried [px at 100 %]
 constexpr glm::vec2 kReach{13, 7};  ///< points that share a label [px at 100 %]
 constexpr float kWidest = 128;      ///< a shared label's line [px at 100 %]
+constexpr float kFewLines = 16;     ///< a plot less high names only what leads: too large letters, or too small a plot
 constexpr float kPlate = .72F;      ///< how much of the ground hides what is under letters
 
 struct Word {
@@ -67,6 +68,7 @@ private:
             else
                 others.push_back(p);
         }
+        if (axes_.plot().h < kFewLines * line_of(ui_.font(Face::note))) return labels;
         std::vector<glm::vec2> places;
         std::transform(others.begin(), others.end(), std::back_inserter(places),
                        [&](const FrontPoint* p) { return axes_.place_of(*p); });

@@ -20,9 +20,12 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 WANTED = {"big": (5, 6.5), "hundred": (8.5, 12), "four": (14, 22), "mesh": (10, 16), "big-perspective": (3.8, 5),
           "hundred-perspective": (6.5, 9), "waste": (8.5, 15), "slivers": (11, 16)}
 # The fast rasterizer with other options; shares are against the first.
+SKIPS = ("off-screen", "no-sample", "zero-area", "back-face", "hidden", "equal-w", "zero-gradient", "one-texel")
 VARIANTS = {
     "targets": {"best": [], "avx2": ["--target", "avx2"], "sse4": ["--target", "sse4"]},
     "threads": {"one": ["--threads", "1"], "two": ["--threads", "2"]},
+    "certificates": {"certificates": [], "none": ["--no-certificates"]},
+    "skips": {"all skips": [], "none": ["--skip=" + name + "=off" for name in SKIPS]},
 }
 
 
@@ -216,6 +219,7 @@ def main():
     parser.add_argument("--reps", type=int, default=7, help="drawings a round")
     for name, what in {"targets": "shares of the instruction sets", "threads": "two threads against one",
                        "jitter": "corners moved by 0.03 px against plain ones", "ties": "ties against none",
+                       "certificates": "nothing decided again", "skips": "no work left out",
                        "scaling": "time from 10^2 to 10^6 triangles"}.items():
         parser.add_argument(f"--{name}", action="store_true", help=what + ", instead of the peers")
     options = parser.parse_args()
