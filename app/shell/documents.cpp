@@ -93,6 +93,7 @@ Result<std::shared_ptr<const Document>> open_lesson(const fs::path& file) {
         auto points = text ? parse_front(*text, front.string()) : Result<std::vector<FrontPoint>>(text.error());
         if (!points) return points.error();
         (*document)->front = *std::move(points);
+        (*document)->files.push_back(front);
     }
     (*document)->id = name_of(*lesson);
     (*document)->files.insert((*document)->files.begin(), file);

@@ -459,7 +459,10 @@ void measure_again(State& state, const Work& before) {
 
 State reduce(const State& state, const Action& action, Derived& derived) {
     State next = state;
-    if (!std::holds_alternative<action::Hover>(action)) next.message = {};
+    // What the user did not do takes no message away.
+    if (!std::holds_alternative<action::Hover>(action) && !std::holds_alternative<action::MeasureOn>(action) &&
+        !std::holds_alternative<action::FinishLap>(action))
+        next.message = {};
     if (!next.document && !std::holds_alternative<action::Open>(action)) return next;
     std::visit(Reducer(next, derived), action);
     if (next.document != state.document || !same_race(state.work, next.work)) next.race = {};

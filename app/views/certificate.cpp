@@ -25,7 +25,7 @@ constexpr std::string_view kNothing = "This shape is no triangle that is drawn: 
 constexpr std::string_view kPixelTip = "pixel **{}, {}**: {}";
 constexpr std::string_view kChoose = "Go to a pixel: its values, their bounds, how near a border is.";
 constexpr std::string_view kRows = "In perspective each row has its own bound.",
-                           kSlow = "Double cannot hold these corners: every sample is decided exactly.";
+                           kSlow = "Double cannot hold these corners: every sample is decided in whole numbers.";
 constexpr std::string_view kLine = "{} = {}", kWithin = "± {}", kAway = "border {} away";
 constexpr std::string_view kSure = "certified", kUnsure = "in doubt";
 constexpr std::string_view kScale = "distance to the next border [texels]";
@@ -213,7 +213,7 @@ private:
         const auto sample = current_sample();
         const float baseline = ui::baseline_at_middle(ui_.font(Face::title), area.y + line_ / 2);
         if (!sample) return say(area, baseline, kChoose);
-        if (found_.u_bound == 0) return say(area, baseline, found_.of(Decision::exact) > 0 ? kSlow : kRows);
+        if (found_.u_bound == 0) return say(area, baseline, found_.slow ? kSlow : kRows);
         draw_axis({area.x, area.y, area.w, axis_height()}, "u", Role::u, sample->u, found_.u_bound);
         draw_axis({area.x, area.y + axis_height(), area.w, axis_height()}, "v", Role::v, sample->v, found_.v_bound);
         ui_.text_within(Face::note, {area.x, area.bottom() - ui_.px(5)}, area.w, Role::muted, kScale);

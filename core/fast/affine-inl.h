@@ -24,6 +24,14 @@ HWY_INLINE hn::Mask<Tag> pass_depth(const DepthRow<Tag>& depth, int x, int y, hn
     return hn::RebindMask(Tag{}, nearer);
 }
 
+/// These rows are drawn once more: nobody has decided their pixels.
+HWY_NOINLINE void forget(const Canvas& canvas, int row, int count, const Rows& rows) {
+    const RasterWatch* const told = canvas.settings->watch;
+    if (told == nullptr) return;
+    for (int n = 0; n < count; ++n)
+        for (int x = rows.x0.at[n]; x < rows.x1.at[n]; ++x) told->deciders[(row + n) * canvas.target.pitch + x] = 0;
+}
+
 /// Pixels [x, x + lanes) of a row, some of which are unsure. False: double cannot tell one of them, and `only_double`.
 template <class Tag>
 HWY_NOINLINE bool mend(Tag p, Again& again, int x, int y, hn::Mask<Tag> unsure, bool only_double,
@@ -168,6 +176,7 @@ HWY_NOINLINE void draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
             // One that double cannot tell is rarely alone: these rows once more, past all ties.
             texels = Texels<Tag, kAddressing>(
                 canvas, b, t, certain_of(canvas, b, t, b.u.doubt.at[t], b.v.doubt.at[t], again.half_gaps()));
+            forget(canvas, row, count, rows);
             ties_known = true, row -= kRows, samples = before;
         }
     }
@@ -223,6 +232,7 @@ HWY_NOINLINE void draw_columns(const Batch& b, int t, const Canvas& canvas) {
         if (!rows_again(p, b, t, row, (1U << count) - 1, rows, again, !ties_known, canvas, texels)) {
             texels = Texels<Tag, kAddressing>(
                 canvas, b, t, certain_of(canvas, b, t, b.u.doubt.at[t], b.v.doubt.at[t], again.half_gaps()));
+            forget(canvas, row, count, rows);
             ties_known = true, row -= kRows, samples = before;
         }
     }

@@ -66,10 +66,11 @@ HWY_INLINE void slopes_of(const Batch& b, int t, int row, int count, const Rows&
             const auto there = hn::And(hn::Lt(x0, x1), hn::Lt(hn::Iota(d, lane), hn::Set(d, count)));
             const V after = hn::Sub(hn::Sub(length, one), before);
             const V kappa = hn::Div(one, hn::Min(hn::NegMulAdd(before, slope, one), hn::MulAdd(after, slope, one)));
-            const V reach = hn::IfThenElseZero(there, hn::Mul(before, kappa));
+            const V reach = hn::Mul(before, kappa);
+            // Where no pixel is, D may be 0, and NaN would hide what the other rows need.
+            const auto far = [&](V n) HWY_ATTR { return hn::IfThenElseZero(there, hn::Mul(hn::Abs(n), reach)); };
             kappas = hn::Max(kappas, hn::IfThenElse(there, kappa, one));
-            u_most = hn::Max(u_most, hn::Mul(hn::Abs(u_n), reach)),
-            v_most = hn::Max(v_most, hn::Mul(hn::Abs(v_n), reach));
+            u_most = hn::Max(u_most, far(u_n)), v_most = hn::Max(v_most, far(v_n));
         }
         hn::Store(u, d, slopes.u.middle.at + lane), hn::Store(v, d, slopes.v.middle.at + lane);
         hn::Store(hn::DemoteTo(f, u_n), f, slopes.u.n.at + lane),
@@ -248,6 +249,7 @@ HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
             if (unsure == 0) continue;
             if (!perspective_again(p, row, unsure, rows, slopes, again, !ties_known, canvas, texels)) {
                 gaps = again.half_gaps(), ties_known = true;
+                forget(canvas, row, count, rows);
                 if constexpr (kNarrow) {
                     certain = certain_of(canvas, b, t, certain.u.bias, certain.v.bias, gaps);
                     texels = Texels<Tag, kAddressing>(canvas, b, t, certain);

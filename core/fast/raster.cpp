@@ -100,7 +100,7 @@ void draw(const RasterTarget& target, const RasterTexture& texture, const Raster
           const RasterSettings& settings, RasterCounters& counters) {
     TEXELSCOPE_ASSERT(is_supported(settings.level) && (!job.depth || target.depth != nullptr));
     TEXELSCOPE_ASSERT(settings.threads >= 1 && settings.threads <= kMaxRasterThreads);
-    if (job.vertices.size() < 3) return;
+    if (job.vertices.size() < 3 || target.width <= 0 || target.height <= 0) return;
     if (settings.threads == 1) return draw_band(target, texture, job, settings, counters);
     std::vector<RasterCounters> each(static_cast<std::size_t>(settings.threads));
     for_each_band(settings.threads, target.height, [&](int band, int first, int last) {

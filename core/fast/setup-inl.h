@@ -221,9 +221,11 @@ struct FloatBound {
         const auto fits = hn::Lt(shift, hn::Set(d, 24.0));
         shift = hn::IfThenElseZero(fits, shift);
         scale = power_of_two(d, hn::Neg(shift));
-        // float32: both slopes, 1 + i d, and the quotient lose 2^-24 each, the sum more where it shrinks; then comes
-        // one rounding to whole 2^shift units.
-        const auto lost = hn::Mul(hn::Mul(relative, hn::Set(d, 0x1p-24)), hn::Add(kappa, hn::Set(d, 7.0)));
+        // float32: d, and i d where multiplication and addition are not fused, lose 2^-24 (kappa - 1) each, seen from
+        // 1 + i d; n, that sum, the quotient and the last product 2^-24; then comes one rounding to whole 2^shift
+        // units. 2 kappa + 2, and some for what is lost of these losses.
+        const auto lost =
+            hn::Mul(hn::Mul(relative, hn::Set(d, 0x1p-24)), hn::MulAdd(kappa, hn::Set(d, 2.0), hn::Set(d, 6.0)));
         const auto rounding = hn::MulAdd(power_of_two(d, shift), hn::Set(d, .6), hn::Set(d, 3.0));
         doubt = hn::IfThenElse(fits, hn::Add(hn::Add(lost, rounding), far), hn::Set(d, 0x1p40));
     }

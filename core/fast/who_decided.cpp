@@ -60,6 +60,7 @@ Decisions who_decided(std::span<const Vertex, 3> corners, const RasterTexture& t
     Decisions found{.frame = frame, .pixels = Grid<Decision>(width, height)};
     const bool flat = corners[0].w == corners[1].w && corners[0].w == corners[2].w;
     if (counters.drawn > 0 && counters.slow == 0 && flat) found.u_bound = watch.u_doubt, found.v_bound = watch.v_doubt;
+    found.slow = counters.slow > 0;
     std::optional<Ties> ties;
     if (watch.by_gap) ties.emplace(corners);
     for (int y = 0; y < height; ++y)

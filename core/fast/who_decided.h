@@ -30,6 +30,7 @@ struct Decisions {
     /// Bounds of what the cheap values of u and v may be off, over the triangle [texels]; 0 where it has none: it is
     /// refused, drawn exactly from the beginning, or in perspective, where each row has its own.
     double u_bound = 0, v_bound = 0;
+    bool slow = false;  ///< double does not hold the corners' differences: whole numbers decided from the beginning
 
     [[nodiscard]] std::uint64_t of(Decision d) const { return count[static_cast<std::size_t>(d)]; }
 };

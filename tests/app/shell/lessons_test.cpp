@@ -21,7 +21,8 @@ TEST(Lessons, AllPassCheck) {
     const std::vector<Lesson> all = lessons();
     ASSERT_FALSE(all.empty());
     for (const Lesson& lesson : all) {
-        const bool screens = lesson.number % static_cast<int>(cases(1, 4)) == 0;
+        // Screens of each lesson take minutes under a sanitizer: those of every fourth are drawn there.
+        const bool screens = !kSanitized || lesson.number % 4 == 0;
         const LessonCheck check = check_lesson(lesson.file, screens);
         for (const Error& fault : check.faults) ADD_FAILURE() << fault.text();
         EXPECT_EQ(check.beats, static_cast<int>(lesson.beats.size()));
