@@ -1,4 +1,4 @@
-// Perspective in float32, relative to the middle of a row (or of 128 pixels of it): there u_0 = N/D in double, and i
+// Perspective in float32, relative to the middle of a row (or of 256 pixels of it): there u_0 = N/D in double, and i
 // pixels further u = u_0 + i n / (1 + i d) with n = (N_x - u_0 D_x)/D and d = D_x/D. The whole part is gone, float32 is
 // enough.
 #if defined(TEXELSCOPE_PERSPECTIVE_INL) == defined(HWY_TARGET_TOGGLE)

@@ -76,7 +76,8 @@ inline constexpr std::array<RasterSkipInfo, 8> kRasterSkips{{
     {RasterSkip::back_face, "back-face", "Triangles seen from behind are dropped before set-up."},
     {RasterSkip::hidden, "hidden", "Triangles behind the farthest depth of every 16 x 16 tile they meet are dropped."},
     {RasterSkip::equal_w, "equal-w", "Triangles with equal w at all corners are drawn without a division a pixel."},
-    {RasterSkip::zero_gradient, "zero-gradient", "Rows along which neither u nor v changes are filled with one texel."},
+    {RasterSkip::zero_gradient, "zero-gradient",
+     "Without depth, rows of wide triangles along which u and v stay are filled with one texel."},
     {RasterSkip::one_texel, "one-texel", "Triangles whose corners lie in one texel are filled with it."},
 }};
 

@@ -300,11 +300,12 @@ HWY_INLINE V rounded_plane(V a0, V a1, V a2, const Shape& s, PlaneEight& out, in
             y = hn::Mul(difference_of_products(c, s.bx, b, s.cx), scale);
     hn::Store(hn::MulAdd(y, s.dy, hn::MulAdd(x, s.dx, a0)), d, out.at.at + lane);
     hn::Store(x, d, out.x.at + lane), hn::Store(y, d, out.y.at + lane);
-    // The values come with 3 half ulps of the largest, their differences with 8 of it; over the area that grows as the
-    // sides do.
+    // In half ulps: values come with 3 of the largest, so their differences with 8 of it, which grows over the area as
+    // the sides do. A gradient has 4 for its numerator, 4 for the area, 1 each for its inverse and the product: 10; the
+    // sum at a sample some 8 of all its terms, without fused multiply-adds, and the first value's own 3.
     const V largest = most_of(hn::Abs(a0), hn::Abs(a1), hn::Abs(a2)), grown = hn::Mul(largest, lever_of(s));
     const V reach = hn::MulAdd(hn::Abs(x), s.most_x, hn::MulAdd(hn::Abs(y), s.most_y, largest));
-    return hn::Mul(hn::Add(grown, reach), hn::Set(d, 10 * kUlp));
+    return hn::MulAdd(grown, hn::Set(d, 8 * kUlp), hn::Mul(reach, hn::Set(d, 20 * kUlp)));
 }
 
 /// Returns where u, v and w are finite, and w is positive; `flat` is where it is the same at all corners.

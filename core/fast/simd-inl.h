@@ -87,7 +87,7 @@ HWY_INLINE void four_of(const float* base, const int32_t* triangles, int first, 
 #endif
 }
 
-/// The corners of some triangles; what nobody asks for is not loaded.
+/// The corners of some triangles.
 struct Fields {
     Floats x[3], y[3], z[3], w[3], u[3], v[3];
 
@@ -192,20 +192,6 @@ HWY_INLINE hn::Vec<Tag> look_up(Tag p, const uint32_t* table, hn::Vec<Tag> place
         return hn::InsertLane(found, 3, table[high >> 32]);
     }
 #endif
-}
-
-/// Stores table[place] of each lane to `to`, four at a time: half as dear as one store across two lines of the cache.
-template <class Tag>
-HWY_INLINE void copy_looked_up(Tag p, const uint32_t* table, hn::Vec<Tag> place, uint32_t* to) {
-#if HWY_TARGET != HWY_SCALAR
-    if constexpr (hn::MaxLanes(p) > 4) {
-        const hn::Half<Tag> half;
-        copy_looked_up(half, table, hn::LowerHalf(half, place), to);
-        copy_looked_up(half, table, hn::UpperHalf(half, place), to + hn::MaxLanes(half));
-        return;
-    }
-#endif
-    hn::StoreU(look_up(p, table, place), p, to);
 }
 
 HWY_INLINE V least_of(V a, V b, V c) { return hn::Min(hn::Min(a, b), c); }

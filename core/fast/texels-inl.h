@@ -133,19 +133,14 @@ struct Texels {
           light(canvas.job->light != nullptr ? canvas.job->light->data() : nullptr) {
         pitch = hn::Set(Tag{}, static_cast<uint32_t>(canvas.texture.pitch));
     }
-    /// Where in the texture a row of texels begins.
-    [[nodiscard]] HWY_INLINE Pixels line(Pixels at_v) const { return hn::Mul(v.index(at_v), pitch); }
     /// Where in the texture.
-    [[nodiscard]] HWY_INLINE Pixels place(Pixels at_u, Pixels at_v) const { return hn::Add(line(at_v), u.index(at_u)); }
+    [[nodiscard]] HWY_INLINE Pixels place(Pixels at_u, Pixels at_v) const {
+        return hn::Add(hn::Mul(v.index(at_v), pitch), u.index(at_u));
+    }
     [[nodiscard]] HWY_INLINE Pixels fetch(Pixels at_u, Pixels at_v) const { return fetch(place(at_u, at_v)); }
     [[nodiscard]] HWY_INLINE Pixels fetch(Pixels at) const {
         const auto got = look_up(Tag{}, texels, at);
         return light == nullptr ? got : lit(got);
-    }
-    /// Stores the texels at `place` to `out`.
-    HWY_INLINE void copy(Pixels place, uint32_t* out) const {
-        if (light == nullptr) return copy_looked_up(Tag{}, texels, place, out);
-        hn::StoreU(fetch(place), Tag{}, out);
     }
     [[nodiscard]] HWY_INLINE hn::Mask<Tag> unsure(Pixels at_u, Pixels at_v) const {
         return hn::Or(u.unsure(at_u), v.unsure(at_v));
@@ -188,9 +183,9 @@ struct Least {
 
 /// Stores the texels of as many pixels as there are lanes.
 template <bool kCertain, Addressing kAddressing, class Tag>
-HWY_INLINE void put_all(Tag /*p*/, const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> u, hn::Vec<Tag> v,
-                        uint32_t* out, Least<Tag>& least) {
-    texels.copy(texels.place(u, v), out);
+HWY_INLINE void put_all(Tag p, const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> u, hn::Vec<Tag> v, uint32_t* out,
+                        Least<Tag>& least) {
+    hn::StoreU(texels.fetch(u, v), p, out);
     if constexpr (kCertain) least.see(texels, u, v);
 }
 /// Of the first `count` of them.
