@@ -5,6 +5,7 @@
 
 #include "app/state/derived_cache.h"
 #include "core/method/blend.h"
+#include "core/method/cells.h"
 
 namespace texelscope {
 namespace {
@@ -80,12 +81,10 @@ std::int64_t Derived::cells_drawn() const { return cache_->canvas.cells_drawn();
 const Grid<std::uint8_t>& Derived::hits(const Window& window) const {
     auto& hits = cache_->of_drawing.hits;
     if (hits && hits->window == window) return hits->count;
-    const auto cells = [&](int length) { return (length + window.stride - 1) / window.stride; };
-    hits = {window, {cells(window.rect.width()), cells(window.rect.height())}};
+    hits = {window, cells_of<std::uint8_t>(window)};
     each_sample(drawing(), 0, drawing().shape_count(), window, [&](int, const Sample& s) {
         if (s.fate != Fate::written) return;
-        std::uint8_t& count = hits->count.at((static_cast<int>(s.x) - window.rect.x0) / window.stride,
-                                             (static_cast<int>(s.y) - window.rect.y0) / window.stride);
+        std::uint8_t& count = cell_of(hits->count, window, s);
         if (count < 255) ++count;
     });
     return hits->count;

@@ -5,6 +5,7 @@
 
 #include "app/state/compared_run.h"
 #include "app/state/derived_cache.h"
+#include "core/method/cells.h"
 
 namespace texelscope {
 namespace {
@@ -18,12 +19,9 @@ using Sight = Grid<Seen>;
 
 [[nodiscard]] Sight seen(const Scene& scene, const DrawSettings& settings, const Window& window) {
     const Drawing drawing(scene, settings);
-    const auto cells = [&](int length) { return (length + window.stride - 1) / window.stride; };
-    Sight all(cells(window.rect.width()), cells(window.rect.height()));
+    Sight all = cells_of<Seen>(window);
     each_sample(drawing, 0, drawing.shape_count(), window, [&](int shape, const Sample& s) {
-        if (s.fate != Fate::written) return;
-        all.at((static_cast<int>(s.x) - window.rect.x0) / window.stride,
-               (static_cast<int>(s.y) - window.rect.y0) / window.stride) = {s, drawing.polygon_of(shape)};
+        if (s.fate == Fate::written) cell_of(all, window, s) = {s, drawing.polygon_of(shape)};
     });
     return all;
 }

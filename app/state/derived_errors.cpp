@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/state/derived_cache.h"
+#include "core/method/cells.h"
 
 namespace texelscope {
 namespace {
@@ -22,12 +23,9 @@ constexpr std::string_view kReference = "barycentric", kAffine = "affine";
 
 /// (u, v) of the sample that is seen in the end, of each cell; nothing where none is written.
 [[nodiscard]] Grid<std::optional<glm::dvec2>> seen(const Drawing& drawing, const Window& window) {
-    const auto cells = [&](int length) { return (length + window.stride - 1) / window.stride; };
-    Grid<std::optional<glm::dvec2>> uv(cells(window.rect.width()), cells(window.rect.height()));
+    auto uv = cells_of<std::optional<glm::dvec2>>(window);
     each_sample(drawing, 0, drawing.shape_count(), window, [&](int, const Sample& s) {
-        if (s.fate != Fate::written) return;
-        uv.at((static_cast<int>(s.x) - window.rect.x0) / window.stride,
-              (static_cast<int>(s.y) - window.rect.y0) / window.stride) = glm::dvec2(s.u, s.v);
+        if (s.fate == Fate::written) cell_of(uv, window, s) = glm::dvec2(s.u, s.v);
     });
     return uv;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/method/cells.h"
 #include "core/method/drawing.h"
 
 namespace texelscope {
@@ -74,8 +75,7 @@ struct Part {
     Layer so_far(window, clear);
     part.cells = {so_far.cells().width(), so_far.cells().height()};
     const auto visit = [&](const Sample& s) {
-        CanvasCell& cell = part.cells.at((static_cast<int>(s.x) - window.rect.x0) / window.stride,
-                                         (static_cast<int>(s.y) - window.rect.y0) / window.stride);
+        CanvasCell& cell = cell_of(part.cells, window, s);
         cell.will_be_visited = true;
         cell.fate = s.fate, cell.note = s.note;
         part.ghosts = part.ghosts || s.note == Note::ghost;

@@ -223,7 +223,7 @@ public:
     void operator()(const action::StartRace& a) {
         s_.race.running = a.on && derived_.drawing().shape_count() > 0 && s_.work.format != NumberFormat::exact;
         if (a.on && s_.work.format == NumberFormat::exact) s_.message = {std::string(kExactRace)};
-        if (s_.race.running) s_.race.laps.clear();
+        if (s_.race.running) s_.race.laps.clear(), s_.measure.running = s_.measure.live = false;  // one at a time
     }
     void operator()(const action::FinishLap& a) {
         if (!s_.race.running) return;
@@ -235,6 +235,7 @@ public:
         if (a.what != m.what) m = {.what = a.what};
         m.running = m.live = a.on && derived_.drawing().shape_count() > 0;
         m.share = 0, m.doing.clear();
+        if (m.running) s_.race.running = false;  // they would take each other's time
     }
     void operator()(const action::MeasureOn& a) {
         if (s_.measure.running && s_.measure.what == a.found.what) s_.measure = a.found;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/method/blend.h"
+#include "core/method/cells.h"
 #include "core/method/drawing.h"
 #include "core/method/fast_picture.h"
 
@@ -104,9 +105,7 @@ Layer::Layer(const Window& window, Rgb clear) : window_(window), clear_(clear) {
 }
 
 void add_sample(const Drawing& drawing, int shape, const Sample& s, Layer& layer) {
-    const Window& window = layer.window();
-    LayerCell& cell = layer.cells().at((static_cast<int>(s.x) - window.rect.x0) / window.stride,
-                                       (static_cast<int>(s.y) - window.rect.y0) / window.stride);
+    LayerCell& cell = cell_of(layer.cells(), layer.window(), s);
     const Rgb before = cell.shape < 0 ? drawing.scene().framebuffer.clear : cell.colour;
     cell = {blended(before, s.colour, drawing.is_half(shape)), shape};
 }

@@ -29,7 +29,7 @@ struct RandomTriangles {
     float size = 60;         ///< of the square that holds a triangle [px], (0, kMaxSize]
     std::uint32_t seed = 1;  ///< the same number gives the same triangles everywhere
     RandomKind kind = RandomKind::plain;
-    /// The framebuffer and all that is in it lies 2^distance px further right and down; 0: where the scene has it.
+    /// The framebuffer and these triangles lie 2^distance px further right and down; 0: where the scene has it.
     /// A person's: in a file the framebuffer has an `origin`.
     int distance = 0;
     /// Of scenes with depth: how many show nothing [percent], being hidden, turned away, off the screen, between

@@ -6,9 +6,9 @@
 #include <span>
 #include <utility>
 
-#include "core/exact/triangle.h"
 #include "core/measure/dice.h"
 #include "core/measure/workloads.h"
+#include "tests/core/fast/draw_exactly.h"
 
 namespace texelscope::determined_scenes_detail {
 namespace {
@@ -43,24 +43,20 @@ public:
                 .y0 = kTop,
                 .depth = depth_.data()};
     }
-    [[nodiscard]] std::uint32_t& pixel(Integer x, Integer y) { return pixels_[at(x, y)]; }
-    [[nodiscard]] float& depth(Integer x, Integer y) { return depth_[at(x, y)]; }
-
     [[nodiscard]] std::uint64_t hash() {
         std::uint64_t sum = 0xCBF29CE484222325U;
         const auto take = [&sum](std::uint32_t word) {
             for (int shift = 0; shift < 32; shift += 8) sum = (sum ^ (word >> shift & 255U)) * 0x100000001B3U;
         };
-        for (int y = kTop; y < kTop + kHeight; ++y)
-            for (int x = kLeft; x < kLeft + kWidth; ++x)
-                take(pixel(x, y)), take(std::bit_cast<std::uint32_t>(depth(x, y)));
+        for (int y = 0; y < kHeight; ++y)
+            for (int x = 0; x < kWidth; ++x) {
+                const auto at = static_cast<std::size_t>(y * (kWidth + kPadding) + x);
+                take(pixels_[at]), take(std::bit_cast<std::uint32_t>(depth_[at]));
+            }
         return sum;
     }
 
 private:
-    [[nodiscard]] static std::size_t at(Integer x, Integer y) {
-        return static_cast<std::size_t>((y - kTop) * (kWidth + kPadding) + x - kLeft);
-    }
     std::vector<std::uint32_t> pixels_ = std::vector<std::uint32_t>(std::size_t{kWidth + kPadding} * kHeight);
     std::vector<float> depth_ = std::vector<float>(pixels_.size(), 1.0F);
 };
@@ -76,12 +72,6 @@ private:
     ChannelTable table{};
     for (std::uint32_t n = 0; n < table.size(); ++n) table[n] = n * 7 / 10;
     return table;
-}
-
-[[nodiscard]] std::uint32_t lit(std::uint32_t texel, const ChannelTable& light) {
-    std::uint32_t sum = texel & 0xFF000000U;
-    for (int shift = 0; shift < 24; shift += 8) sum += light[texel >> shift & 255U] << shift;
-    return sum;
 }
 
 /// What the frame does not show is left away: the exact triangle would take seconds to find that out.
@@ -134,6 +124,22 @@ private:
     return scene;
 }
 
+/// @param paint  draw() or draw_exactly().
+[[nodiscard]] std::uint64_t hash_of(const DeterminedScene& scene, const auto& paint) {
+    const std::vector<std::uint32_t> texels = texels_of(scene);
+    const ChannelTable table = light();
+    Picture picture;
+    paint(picture.target(), RasterTexture{texels.data(), scene.texture_width, scene.texture_height, scene.wrap},
+          RasterJob{.vertices = scene.vertices,
+                    .u_texels = scene.texture_width,
+                    .v_texels = scene.texture_height,
+                    .perspective = scene.perspective,
+                    .cull_back = scene.cull_back,
+                    .depth = scene.depth,
+                    .light = scene.light ? &table : nullptr});
+    return picture.hash();
+}
+
 }  // namespace
 }  // namespace texelscope::determined_scenes_detail
 
@@ -149,50 +155,13 @@ std::vector<DeterminedScene> determined_scenes() {
 }
 
 std::uint64_t hash_of_fast(const DeterminedScene& scene, const RasterSettings& settings) {
-    const std::vector<std::uint32_t> texels = texels_of(scene);
-    const ChannelTable table = light();
-    RasterCounters counters;
-    Picture picture;
-    draw(picture.target(), {texels.data(), scene.texture_width, scene.texture_height, scene.wrap},
-         {.vertices = scene.vertices,
-          .u_texels = scene.texture_width,
-          .v_texels = scene.texture_height,
-          .perspective = scene.perspective,
-          .cull_back = scene.cull_back,
-          .depth = scene.depth,
-          .light = scene.light ? &table : nullptr},
-         settings, counters);
-    return picture.hash();
+    return hash_of(scene, [&](const RasterTarget& target, const RasterTexture& texture, const RasterJob& job) {
+        RasterCounters counters;
+        draw(target, texture, job, settings, counters);
+    });
 }
 
-std::uint64_t hash_of_exact(const DeterminedScene& scene) {
-    const std::vector<std::uint32_t> texels = texels_of(scene);
-    const ChannelTable table = light();
-    Picture picture;
-    for (std::size_t n = 0; n < scene.vertices.size(); n += 3) {
-        std::array<Vertex, 3> corners{scene.vertices[n], scene.vertices[n + 1], scene.vertices[n + 2]};
-        if (!scene.perspective)
-            for (Vertex& c : corners) c.w = 1;
-        const ExactTriangle triangle(corners, scene.texture_width, scene.texture_height);
-        if (triangle.winding() == 0 || (scene.cull_back && triangle.winding() < 0)) continue;
-        for (int y = kTop; y < kTop + kHeight; ++y) {
-            const PixelRange row = triangle.row(y, kLeft, kLeft + kWidth);
-            for (Integer x = row.x0; x < row.x1; ++x) {
-                if (scene.depth) {
-                    const float z = triangle.depth(x, y);
-                    if (!(z < picture.depth(x, y))) continue;
-                    picture.depth(x, y) = z;
-                }
-                const TexelIndex at = triangle.texel(x, y);
-                const std::uint32_t texel = texels[static_cast<std::size_t>(
-                    wrap_index(at.v, scene.texture_height, scene.wrap) * scene.texture_width +
-                    wrap_index(at.u, scene.texture_width, scene.wrap))];
-                picture.pixel(x, y) = scene.light ? lit(texel, table) : texel;
-            }
-        }
-    }
-    return picture.hash();
-}
+std::uint64_t hash_of_exact(const DeterminedScene& scene) { return hash_of(scene, draw_exactly); }
 
 void turn_corners(DeterminedScene& scene) {
     for (auto at = scene.vertices.begin(); at != scene.vertices.end(); at += 3) std::rotate(at, at + 1, at + 3);

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "core/exact/triangle.h"
 #include "core/measure/reference.h"
+#include "tests/core/fast/draw_exactly.h"
 #include "tests/core/method/cases.h"
 
 namespace texelscope::raster_equals_exact_test {
@@ -38,46 +38,20 @@ struct Origin {
     int x = 0, y = 0;
 };
 
+RasterTarget target_of(Picture& picture, Origin origin) {
+    return {picture.pixels.data(), kPitch, kWidth, kHeight, origin.x, origin.y, picture.depth.data()};
+}
+
 Picture drawn(const RasterTexture& texture, const RasterJob& job, RasterCounters& counters,
               const RasterSettings& settings = {}, Origin origin = {}) {
     Picture picture;
-    draw({picture.pixels.data(), kPitch, kWidth, kHeight, origin.x, origin.y, picture.depth.data()}, texture, job,
-         settings, counters);
+    draw(target_of(picture, origin), texture, job, settings, counters);
     return picture;
-}
-
-std::uint32_t lit(std::uint32_t texel, const ChannelTable* light) {
-    if (light == nullptr) return texel;
-    std::uint32_t sum = texel & 0xFF000000U;
-    for (int shift = 0; shift < 24; shift += 8) sum += (*light)[texel >> shift & 255U] << shift;
-    return sum;
 }
 
 Picture decided(const RasterTexture& texture, const RasterJob& job, Origin origin = {}) {
     Picture picture;
-    for (std::size_t n = 0; n < job.vertices.size(); n += 3) {
-        std::array<Vertex, 3> corners{job.vertices[n], job.vertices[n + 1], job.vertices[n + 2]};
-        if (!job.perspective)
-            for (Vertex& c : corners) c.w = 1;
-        const ExactTriangle triangle(corners, job.u_texels, job.v_texels);
-        if (triangle.winding() == 0 || (job.cull_back && triangle.winding() < 0)) continue;
-        for (int y = 0; y < kHeight; ++y) {
-            const PixelRange row = triangle.row(origin.y + y, origin.x, origin.x + kWidth);
-            for (Integer x = row.x0; x < row.x1; ++x) {
-                const auto at = static_cast<std::size_t>(y * kPitch + x - origin.x);
-                if (job.depth) {
-                    const float z = triangle.depth(x, origin.y + y);
-                    if (!(z < picture.depth[at])) continue;
-                    picture.depth[at] = z;
-                }
-                const TexelIndex texel = triangle.texel(x, origin.y + y);
-                const int place =
-                    wrap_index(texel.v, texture.height, texture.wrap) * std::max(texture.width, texture.pitch) +
-                    wrap_index(texel.u, texture.width, texture.wrap);
-                picture.pixels[at] = lit(texture.texels[place], job.light);
-            }
-        }
-    }
+    draw_exactly(target_of(picture, origin), texture, job);
     return picture;
 }
 

@@ -16,7 +16,7 @@ constexpr RasterTexture kTexture{.width = 16, .height = 16};
 
 [[nodiscard]] Vertex corner(float x, float y, float u, float v) { return {.x = x, .y = y, .u = u, .v = v}; }
 
-/// The pixels that the triangle owns, and whether their u or v is a whole number, by its affine planes in quarters.
+/// Decided are the pixels that the triangle owns, and no others.
 void expect_owned(const Decisions& found, const Corners& corners) {
     const ExactTriangle exact(corners);
     for (int y = kFrame.y0; y < kFrame.y1; ++y) {
