@@ -45,7 +45,8 @@ constexpr std::string_view kChoose = "Click a point: its name, and what it gets 
 constexpr std::string_view kTime = "{} ns a pixel", kError = "error {}", kBound = "bound {}";
 constexpr std::string_view kPointTip = "{}: {} ns a pixel, greatest error {} texels";
 constexpr float kLeastPlot = 210, kLeastPlotLines = 15;  ///< height [px at 100 %], and in lines of text
-constexpr float kLeastTrack = 70;                        ///< of a slider [px at 100 %]
+constexpr float kWholePlotLines = 9;  ///< so high, a plot that is seen whole is better than one that must be scrolled
+constexpr float kLeastTrack = 70;     ///< of a slider [px at 100 %]
 constexpr ui::SliderRange kSizes{4, 120, 4}, kDistances{0, kMaxDistance, 1};
 
 class FrontView {
@@ -62,7 +63,9 @@ public:
 
     void draw() {
         const float controls = static_cast<float>(control_lines() + 1) * line_of_controls();
-        const float plot = std::max(ui_.px(kLeastPlot), kLeastPlotLines * ui_.font(Face::title).em);
+        const float line = ui_.font(Face::title).em;
+        const float plot =
+            std::max(kWholePlotLines * line, std::min(std::max(ui_.px(kLeastPlot), kLeastPlotLines * line), area_.h));
         const float content = std::max(area_.h, controls + readout_height() + plot);
         foresee(ui_, "front/scroll", content);
         const Area inner = ui_.begin_scroll("front/scroll", area_);

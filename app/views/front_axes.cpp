@@ -18,6 +18,7 @@ constexpr std::string_view kNone = "no error", kEndless = "not a number", kTexel
 constexpr double kLeast = 1e-15, kMost = 1e6;                 ///< the scale of errors goes no further [texels]
 constexpr double kTimeMargin = 1.7;                           ///< beyond the fastest and the slowest point, as a factor
 constexpr float kShelf = 34, kTop = 24, kFrontAxesLine = 16;  ///< [px at 100 %]
+constexpr float kMostShelf = .2F;                             ///< of a low plot
 constexpr float kFaintGrid = .45F;
 
 [[nodiscard]] int decade_below(double value) { return static_cast<int>(std::floor(std::log10(value) + 1e-9)); }
@@ -42,6 +43,7 @@ Axes::Axes(ui::Ui& ui, const ui::Area& area, std::span<const FrontPoint* const> 
         ui::text_width(ui.font(Face::code_note), "10") + ui::text_width(ui.font(Face::ruler), "-15") + ui.px(12);
     const float top = ui.px(3 * kFrontAxesLine), bottom = ui.px(2 * kFrontAxesLine);
     plot_ = {area.x + left, area.y + top, area.w - left, area.h - top - bottom};
+    shelf_ = std::min(ui.px(kShelf), kMostShelf * plot_.h);
     double least = 1, most = 1, fastest = 1e9, slowest = 0;
     for (const FrontPoint* p : points) {
         endless_ = endless_ || std::isinf(p->max_error);
@@ -52,14 +54,14 @@ Axes::Axes(ui::Ui& ui, const ui::Area& area, std::span<const FrontPoint* const> 
     if (points.empty()) fastest = 1, slowest = 100;
     time_ = {fastest / kTimeMargin, slowest * kTimeMargin, plot_.x, plot_.right()};
     error_ = {std::max(ten_to(decade_below(least)), kLeast), std::clamp(ten_to(decade_above(most * 1.01)), 10.0, kMost),
-              plot_.bottom() - ui.px(kShelf) - ui.px(8), plot_.y + (endless_ ? ui.px(kTop) : 0.0F)};
+              plot_.bottom() - shelf_ - ui.px(8), plot_.y + (endless_ ? ui.px(kTop) : 0.0F)};
 }
 
 glm::vec2 Axes::place_of(const FrontPoint& point) const { return {time_.at(point.min_ns), height_of(point.max_error)}; }
 
 float Axes::height_of(double error) const {
     if (std::isinf(error)) return plot_.y + ui_.px(kTop) / 2;
-    return error > 0 ? error_.at(error) : plot_.bottom() - ui_.px(kShelf) / 2;
+    return error > 0 ? error_.at(error) : plot_.bottom() - shelf_ / 2;
 }
 
 void Axes::draw() const {
@@ -68,7 +70,7 @@ void Axes::draw() const {
     ui::fill(ui_.list(), plot_, theme.canvas);
     draw_times();
     draw_errors();
-    shelf({plot_.x, plot_.bottom() - ui_.px(kShelf), plot_.w, ui_.px(kShelf)}, Role::now, kNone);
+    shelf({plot_.x, plot_.bottom() - shelf_, plot_.w, shelf_}, Role::now, kNone);
     if (endless_) shelf({plot_.x, plot_.y, plot_.w, ui_.px(kTop)}, Role::error, kEndless);
     const float zero = height_of(0);
     ui_.text_right(Face::code_note, {plot_.x - ui_.px(6), ui::baseline_at_middle(ui_.font(Face::code_note), zero)},
