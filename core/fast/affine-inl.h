@@ -13,14 +13,16 @@ HWY_BEFORE_NAMESPACE();
 namespace texelscope {
 namespace HWY_NAMESPACE {
 
-/// The pixels of `in` from x on, of one row, which pass the depth test; it is left nearer.
+/// The pixels of `in` from x on, of row y, which pass the depth test; it is left nearer.
 template <class Tag>
-HWY_INLINE hn::Mask<Tag> pass_depth(const DepthRow<Tag>& depth, int x, int y, hn::Mask<Tag> in, float* line,
-                                    Again& again) {
+HWY_INLINE hn::Mask<Tag> pass_depth(const DepthRow<Tag>& depth, int x, int y, hn::Mask<Tag> in, Again& again,
+                                    const Canvas& canvas) {
     const hn::Rebind<float, Tag> f;
-    const auto z = depth.at(x, y, in, again), old = load_some(f, hn::RebindMask(f, in), line + x);
+    float* const line = canvas.target.depth + y * std::ptrdiff_t{canvas.target.pitch};
+    const float* const end = line + canvas.target.width;
+    const auto z = depth.at(x, y, in, again), old = load_some(f, hn::RebindMask(f, in), line + x, end);
     const auto nearer = hn::And(hn::RebindMask(f, in), hn::Lt(z, old));
-    store_some(z, nearer, f, line + x);
+    store_some(z, nearer, f, line + x, end);
     return hn::RebindMask(Tag{}, nearer);
 }
 
@@ -51,7 +53,8 @@ HWY_NOINLINE bool mend(Tag p, Again& again, int x, int y, hn::Mask<Tag> unsure, 
 template <Addressing kAddressing, class Tag>
 HWY_INLINE void put_nearer(Tag p, const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> u, hn::Vec<Tag> v, int x, int y,
                            hn::Mask<Tag> nearer, Again& again, const Canvas& canvas) {
-    store_some(texels.fetch(u, v), nearer, p, canvas.target.pixels + y * canvas.target.pitch + x);
+    uint32_t* const line = canvas.target.pixels + y * std::ptrdiff_t{canvas.target.pitch};
+    store_some(texels.fetch(u, v), nearer, p, line + x, line + canvas.target.width);
     if (const auto unsure = hn::And(nearer, texels.unsure(u, v)); !hn::AllFalse(p, unsure))
         mend(p, again, x, y, unsure, false, canvas);
 }
@@ -85,7 +88,7 @@ HWY_NOINLINE void fill_rows(const Batch& b, int t, const Canvas& canvas) {
     const Vertex& corner = *canvas.corners(b.index.at[t]);
     const auto index = [](float u, int texels) { return static_cast<Integer>(std::floor(double{u} * texels)); };
     const TexelIndex texel{index(corner.u, canvas.job->u_texels), index(corner.v, canvas.job->v_texels)};
-    const uint32_t colour = texel_at(canvas, place_of(canvas.texture, texel));
+    const uint32_t colour = canvas.texture.texels[place_of(canvas.texture, texel)];
     ++canvas.counters->of(RasterSkip::one_texel);
     [[maybe_unused]] Again again(canvas, b, t, false);
     const std::ptrdiff_t pitch = canvas.target.pitch;
@@ -104,8 +107,8 @@ HWY_NOINLINE void fill_rows(const Batch& b, int t, const Canvas& canvas) {
             else
                 for (; left > 0; left -= kLanes, x += kLanes) {
                     const auto in = hn::FirstN(p, static_cast<size_t>(left));
-                    store_some(hn::Set(p, colour), pass_depth(depth, x, y, in, canvas.target.depth + y * pitch, again),
-                               p, line + x);
+                    store_some(hn::Set(p, colour), pass_depth(depth, x, y, in, again, canvas), p, line + x,
+                               line + canvas.target.width);
                 }
         }
     }
@@ -148,24 +151,25 @@ HWY_NOINLINE void draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
                 const DepthRow<Tag> depth(b, t, y);
                 for (; left > 0; left -= kLanes, x += kLanes) {
                     const auto in = hn::FirstN(p, static_cast<size_t>(left));
-                    const auto nearer = pass_depth(depth, x, y, in, canvas.target.depth + y * pitch, again);
+                    const auto nearer = pass_depth(depth, x, y, in, again, canvas);
                     if (!hn::AllFalse(p, nearer)) put_nearer(p, texels, u, v, x, y, nearer, again, canvas);
                     u = hn::Add(u, u_step), v = hn::Add(v, v_step);
                 }
             } else {
                 uint32_t* out = canvas.target.pixels + y * pitch + x;
+                const uint32_t* const end = out - x + canvas.target.width;
                 if (kWide && level) {
                     const auto found = texels.fetch(u, v);
                     least.see(texels, u, v);
                     for (; left >= kLanes; left -= kLanes, out += kLanes) hn::StoreU(found, p, out);
-                    if (left > 0) store_some(found, hn::FirstN(p, static_cast<size_t>(left)), p, out);
+                    if (left > 0) store_some(found, hn::FirstN(p, static_cast<size_t>(left)), p, out, end);
                     left = 0;
                 }
                 for (; left >= kLanes; left -= kLanes, out += kLanes) {
                     put_all<kCertain>(p, texels, u, v, out, least);
                     u = hn::Add(u, u_step), v = hn::Add(v, v_step);
                 }
-                if (left > 0) put_some<kCertain>(p, texels, u, v, left, out, least);
+                if (left > 0) put_some<kCertain>(p, texels, u, v, left, out, end, least);
                 if constexpr (kWide && kCertain)
                     if (!least.is_sure(texels)) unsure |= 1U << n, least = {};
             }
@@ -204,7 +208,8 @@ HWY_NOINLINE void draw_columns(const Batch& b, int t, const Canvas& canvas) {
         const int count = std::min(kRows, b.row1.at[t] - row);
         cross(b, t, row, count, columns, canvas, rows);
         start(b, t, row, count, texels.u.bias, texels.v.bias, rows);
-        for (int n = count; n % kLanes != 0; ++n) rows.x0.at[n] = rows.x1.at[n] = rows.u.at[n] = rows.v.at[n] = 0;
+        for (int n = count; n % kLanes != 0; ++n)
+            rows.x0.at[n] = rows.x1.at[n] = 0, rows.u.at[n] = rows.u.at[0], rows.v.at[n] = rows.v.at[0];
         Least<Tag> least;
         const uint64_t before = samples;
         for (int n = 0; n < count; n += kLanes) {
@@ -217,7 +222,7 @@ HWY_NOINLINE void draw_columns(const Batch& b, int t, const Canvas& canvas) {
                 const uint32_t inside = bits_of(p, in);
                 if (inside == 0) break;
                 samples += static_cast<uint64_t>(std::popcount(inside));
-                least.see(texels, u, v, in);
+                least.see(texels, u, v);
                 alignas(64) uint32_t found[kLanes];
                 // Rows that have ended read once more what they have read.
                 hn::Store(texels.fetch(hn::IfThenElse(in, texels.place(u, v), first)), p, found);

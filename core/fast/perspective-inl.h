@@ -131,8 +131,7 @@ HWY_NOINLINE uint64_t rows_in_double(const Batch& b, int t, int row, int count, 
             ++samples;
             if constexpr (kDepth) {
                 const DepthRow<decltype(p)> depth(b, t, row + n);
-                float* const z = canvas.target.depth + (row + n) * canvas.target.pitch;
-                if (hn::AllFalse(p, pass_depth(depth, x, row + n, hn::FirstN(p, 1), z, again))) continue;
+                if (hn::AllFalse(p, pass_depth(depth, x, row + n, hn::FirstN(p, 1), again, canvas))) continue;
             }
             canvas.target.pixels[(row + n) * canvas.target.pitch + x] = again.texel(x, row + n);
         }
@@ -228,7 +227,7 @@ HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
                 for (; left > 0; left -= kLanes, x += kLanes, i = hn::Add(i, hn::Set(f, kLanes))) {
                     if constexpr (kDepth) {
                         const auto in = hn::FirstN(p, static_cast<size_t>(left));
-                        const auto nearer = pass_depth(depth, x, y, in, canvas.target.depth + y * pitch, again);
+                        const auto nearer = pass_depth(depth, x, y, in, again, canvas);
                         if (hn::AllFalse(p, nearer)) continue;
                         along.at(i, u, v);
                         put_nearer(p, texels, u, v, x, y, nearer, again, canvas);
@@ -238,7 +237,7 @@ HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
                         if (left >= kLanes)
                             put_all<kCertain>(p, texels, u, v, out, least);
                         else
-                            put_some<kCertain>(p, texels, u, v, left, out, least);
+                            put_some<kCertain>(p, texels, u, v, left, out, out - x + canvas.target.width, least);
                     }
                 }
                 if constexpr (!kNarrow && !kDepth && kCertain)

@@ -94,6 +94,16 @@ void draw_band(const RasterTarget& target, const RasterTexture& texture, const R
     find_draw(settings.level)(canvas);
 }
 
+[[nodiscard]] std::vector<std::uint32_t> lit(const RasterTexture& texture, const ChannelTable& light) {
+    const int pitch = texture.pitch == 0 ? texture.width : texture.pitch;
+    const auto length = static_cast<std::size_t>(pitch) * static_cast<std::size_t>(texture.height - 1) +
+                        static_cast<std::size_t>(texture.width);
+    std::vector<std::uint32_t> texels(texture.texels, texture.texels + length);
+    for (std::uint32_t& t : texels)
+        t = light[t & 255] | light[t >> 8 & 255] << 8 | light[t >> 16 & 255] << 16 | (t & 0xFF000000U);
+    return texels;
+}
+
 }  // namespace
 
 void draw(const RasterTarget& target, const RasterTexture& texture, const RasterJob& job,
@@ -101,6 +111,14 @@ void draw(const RasterTarget& target, const RasterTexture& texture, const Raster
     TEXELSCOPE_ASSERT(is_supported(settings.level) && (!job.depth || target.depth != nullptr));
     TEXELSCOPE_ASSERT(settings.threads >= 1 && settings.threads <= kMaxRasterThreads);
     if (job.vertices.size() < 3 || target.width <= 0 || target.height <= 0) return;
+    if (job.light != nullptr) {
+        const std::vector<std::uint32_t> texels = lit(texture, *job.light);
+        RasterTexture bright = texture;
+        bright.texels = texels.data();
+        RasterJob plain = job;
+        plain.light = nullptr;
+        return draw(target, bright, plain, settings, counters);
+    }
     if (settings.threads == 1) return draw_band(target, texture, job, settings, counters);
     std::vector<RasterCounters> each(static_cast<std::size_t>(settings.threads));
     for_each_band(settings.threads, target.height, [&](int band, int first, int last) {

@@ -40,7 +40,8 @@ struct RasterJob {
     bool perspective = false;             ///< else every w counts as 1
     bool cull_back = false;               ///< of core/conventions.h
     bool depth = false;                   ///< LESS, against z rounded to float32
-    const ChannelTable* light = nullptr;  ///< for the lowest three bytes of a texel; null: they stay
+    const ChannelTable* light = nullptr;  ///< for the lowest three bytes of a texel; null: they stay. Looks up every
+                                          ///< texel of the texture once
 };
 
 /// The instructions to use; each gives the same pixels.

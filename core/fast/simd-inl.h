@@ -148,24 +148,31 @@ HWY_INLINE uint32_t bits_of(Tag d, hn::Mask<Tag> mask) {
     return bits;
 }
 
-/// The lanes of `mask` at `from`; nothing else is read.
+/// The lanes of `mask` at `from`, of a row that goes on to `end`; beyond nothing is read.
 template <class Tag>
-HWY_INLINE hn::Vec<Tag> load_some(Tag d, hn::Mask<Tag> mask, const hn::TFromD<Tag>* from) {
+HWY_INLINE hn::Vec<Tag> load_some(Tag d, hn::Mask<Tag> mask, const hn::TFromD<Tag>* from, const hn::TFromD<Tag>* end) {
 #if HWY_TARGET <= HWY_AVX2
+    (void)end;
     return hn::MaskedLoad(mask, d, from);
-#else  // without such an instruction, lane by lane
-    alignas(64) hn::TFromD<Tag> lanes[hn::MaxLanes(d)] = {};
+#else  // without such an instruction
+    constexpr int kLanes = static_cast<int>(hn::MaxLanes(d));
+    if (end - from >= kLanes) return hn::LoadU(d, from);
+    alignas(64) hn::TFromD<Tag> lanes[kLanes] = {};
     for (uint32_t m = bits_of(d, mask); m != 0; m &= m - 1) lanes[std::countr_zero(m)] = from[std::countr_zero(m)];
     return hn::Load(d, lanes);
 #endif
 }
-/// Stores the lanes of `mask` to `to`; nothing else is written, not even what stands there.
+/// Stores the lanes of `mask` to `to`, of a row that goes on to `end`; what else stands in the row stays.
 template <class Tag>
-HWY_INLINE void store_some(hn::Vec<Tag> value, hn::Mask<Tag> mask, Tag d, hn::TFromD<Tag>* to) {
-#if HWY_TARGET <= HWY_AVX2
+HWY_INLINE void store_some(hn::Vec<Tag> value, hn::Mask<Tag> mask, Tag d, hn::TFromD<Tag>* to,
+                           const hn::TFromD<Tag>* end) {
+#if HWY_TARGET <= HWY_AVX3
+    (void)end;
     hn::BlendedStore(value, mask, d, to);
-#else
-    alignas(64) hn::TFromD<Tag> lanes[hn::MaxLanes(d)];
+#else  // AVX2's instruction takes five times as long as writing what stands there once more
+    constexpr int kLanes = static_cast<int>(hn::MaxLanes(d));
+    if (end - to >= kLanes) return hn::StoreU(hn::IfThenElse(mask, value, hn::LoadU(d, to)), d, to);
+    alignas(64) hn::TFromD<Tag> lanes[kLanes];
     hn::Store(value, d, lanes);
     for (uint32_t m = bits_of(d, mask); m != 0; m &= m - 1) to[std::countr_zero(m)] = lanes[std::countr_zero(m)];
 #endif

@@ -124,13 +124,11 @@ struct Texels {
     Axis<Tag, kAddressing> u, v;
     Pixels pitch;
     const uint32_t* texels;
-    const uint32_t* light;
 
     HWY_INLINE Texels(const Canvas& canvas, const Batch& b, int t, const CertainPair& certain)
         : u(certain.u, b.u.shift.at[t], canvas.texture.width),
           v(certain.v, b.v.shift.at[t], canvas.texture.height),
-          texels(canvas.texture.texels),
-          light(canvas.job->light != nullptr ? canvas.job->light->data() : nullptr) {
+          texels(canvas.texture.texels) {
         pitch = hn::Set(Tag{}, static_cast<uint32_t>(canvas.texture.pitch));
     }
     /// Where in the texture.
@@ -138,23 +136,9 @@ struct Texels {
         return hn::Add(hn::Mul(v.index(at_v), pitch), u.index(at_u));
     }
     [[nodiscard]] HWY_INLINE Pixels fetch(Pixels at_u, Pixels at_v) const { return fetch(place(at_u, at_v)); }
-    [[nodiscard]] HWY_INLINE Pixels fetch(Pixels at) const {
-        const auto got = look_up(Tag{}, texels, at);
-        return light == nullptr ? got : lit(got);
-    }
+    [[nodiscard]] HWY_INLINE Pixels fetch(Pixels at) const { return look_up(Tag{}, texels, at); }
     [[nodiscard]] HWY_INLINE hn::Mask<Tag> unsure(Pixels at_u, Pixels at_v) const {
         return hn::Or(u.unsure(at_u), v.unsure(at_v));
-    }
-
-private:
-    [[nodiscard]] HWY_INLINE Pixels lit(Pixels texel) const {
-        const Tag p;
-        const auto byte = hn::Set(p, 255U);
-        const auto of = [&](Pixels channel) HWY_ATTR { return look_up(Tag{}, light, channel); };
-        const auto red = of(hn::And(texel, byte)), green = of(hn::And(hn::ShiftRight<8>(texel), byte)),
-                   blue = of(hn::And(hn::ShiftRight<16>(texel), byte));
-        return hn::Or(hn::Or(red, hn::ShiftLeft<8>(green)),
-                      hn::Or(hn::ShiftLeft<16>(blue), hn::And(texel, hn::Set(p, 0xFF000000U))));
     }
 };
 
@@ -169,13 +153,6 @@ struct Least {
         u = hn::Min(u, texels.u.rest(at_u)), v = hn::Min(v, texels.v.rest(at_v));
     }
     template <Addressing kAddressing>
-    HWY_INLINE void see(const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> at_u, hn::Vec<Tag> at_v,
-                        hn::Mask<Tag> in) {
-        const auto all = hn::Set(Tag{}, ~0U);
-        u = hn::Min(u, hn::IfThenElse(in, texels.u.rest(at_u), all));
-        v = hn::Min(v, hn::IfThenElse(in, texels.v.rest(at_v), all));
-    }
-    template <Addressing kAddressing>
     [[nodiscard]] HWY_INLINE bool is_sure(const Texels<Tag, kAddressing>& texels) const {
         return hn::AllFalse(Tag{}, hn::Or(hn::Lt(u, texels.u.least), hn::Lt(v, texels.v.least)));
     }
@@ -188,21 +165,14 @@ HWY_INLINE void put_all(Tag p, const Texels<Tag, kAddressing>& texels, hn::Vec<T
     hn::StoreU(texels.fetch(u, v), p, out);
     if constexpr (kCertain) least.see(texels, u, v);
 }
-/// Of the first `count` of them.
+/// Of the first `count` of them, in a row that goes on to `end`. The others are seen too: that asks now and then for
+/// nothing, and costs no mask.
 template <bool kCertain, Addressing kAddressing, class Tag>
 HWY_INLINE void put_some(Tag p, const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> u, hn::Vec<Tag> v, int count,
-                         uint32_t* out, Least<Tag>& least) {
+                         uint32_t* out, const uint32_t* end, Least<Tag>& least) {
     const auto in = hn::FirstN(p, static_cast<size_t>(count));
-    store_some(texels.fetch(u, v), in, p, out);
-    if constexpr (kCertain) least.see(texels, u, v, in);
-}
-
-/// One texel as `Texels::fetch` gives it.
-HWY_INLINE uint32_t texel_at(const Canvas& canvas, uint32_t place) {
-    const uint32_t texel = canvas.texture.texels[place];
-    if (canvas.job->light == nullptr) return texel;
-    const ChannelTable& light = *canvas.job->light;
-    return light[texel & 255] | light[texel >> 8 & 255] << 8 | light[texel >> 16 & 255] << 16 | (texel & 0xFF000000U);
+    store_some(texels.fetch(u, v), in, p, out, end);
+    if constexpr (kCertain) least.see(texels, u, v);
 }
 
 /// Texels of one triangle that int32 or float32 could not tell: in double, and exactly where that cannot either.
@@ -220,14 +190,14 @@ public:
         if (!decided(right, down, b_.u, b_.u_over, b_.u_far.at[t_], texture.width, index.u) ||
             !decided(right, down, b_.v, b_.v_over, b_.v_far.at[t_], texture.height, index.v))
             return false;
-        texel = texel_at(canvas_, place_of(texture, index));
+        texel = texture.texels[place_of(texture, index)];
         watch(canvas_, x, y, DecidedBy::in_double);
         return true;
     }
     /// The same, in any case.
     [[nodiscard]] uint32_t texel(int x, int y) {
         uint32_t texel = 0;
-        return texel_in_double(x, y, texel) ? texel : texel_at(canvas_, decider_.texel(x, y));
+        return texel_in_double(x, y, texel) ? texel : canvas_.texture.texels[decider_.texel(x, y)];
     }
     [[nodiscard]] float depth(int x, int y) { return decider_.depth(x, y); }
     [[nodiscard]] HalfGaps half_gaps() {

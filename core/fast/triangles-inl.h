@@ -53,7 +53,7 @@ HWY_NOINLINE void draw_slowly(int triangle, const Canvas& canvas) {
                 if (!(z < nearest)) continue;
                 nearest = z;
             }
-            target.pixels[y * target.pitch + x] = texel_at(canvas, decider.texel(x, y));
+            target.pixels[y * target.pitch + x] = canvas.texture.texels[decider.texel(x, y)];
         }
     }
 }
