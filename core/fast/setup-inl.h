@@ -424,7 +424,8 @@ HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
         s.most_x = hn::Max(hn::Abs(s.dx), hn::Abs(hn::Add(s.dx, s.width)));
         s.most_y = hn::Max(hn::Abs(s.dy), hn::Abs(hn::Add(s.dy, hn::Sub(r1, r0))));
         store_int(hn::IfThenElseZero(hn::Gt(s.area, hn::Zero(d)), hn::Set(d, 1.0)), batch.front.at + lane);
-        store_int(hn::IfThenElseZero(in_one_texel(f, canvas), hn::Set(d, 1.0)), batch.one_texel.at + lane);
+        const auto one_texel = in_one_texel(f, canvas);
+        store_int(hn::IfThenElseZero(one_texel, hn::Set(d, 1.0)), batch.one_texel.at + lane);
         V nothing = hn::Zero(d);
         const auto affine = [&]() HWY_ATTR {
             return hn::And(coordinate(f.u, true, s, canvas, batch.u, lane),
@@ -446,6 +447,7 @@ HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
             const auto level = hn::And(hn::Eq(z0, z1), hn::Eq(z0, z2));
             hn::Store(hn::IfThenZeroElse(level, hn::Max(unsure, hn::Set(d, 0x1p-149))), d, batch.z_unsure.at + lane);
         }
+        bool has_rows = true;
         if (!canvas.job->depth && !canvas.job->perspective) {
             const auto is_small = [&](V extent, V samples) HWY_ATTR {
                 return hn::And(hn::Le(samples, hn::Set(Real{}, 4.0)), hn::Lt(extent, hn::Set(Real{}, 8.0)));
@@ -454,10 +456,13 @@ HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
                 hn::And(is_small(hn::Sub(high_x, low_x), s.width), is_small(hn::Sub(high_y, low_y), hn::Sub(r1, r0)));
             store_int(hn::IfThenElseZero(tiny, hn::Set(d, 1.0)), batch.tiny.at + lane);
             if (!hn::AllFalse(d, tiny)) set_up_tiny(p, s, c0, r0, coarse, batch, lane);
+            // draw_tiny() gives none of these back.
+            has_rows = canvas.addressing != Addressing::powers ||
+                       !hn::AllTrue(d, hn::AndNot(one_texel, hn::And(tiny, coarse)));
         }
         good = hn::And(good, hn::Eq(nothing, hn::Zero(d)));
         store_int(hn::IfThenElseZero(good, hn::Set(d, 1.0)), batch.good.at + lane);
-        set_up_sides(p, s.area, canvas, batch, lane);
+        if (has_rows) set_up_sides(p, s.area, canvas, batch, lane);
     }
 }
 

@@ -21,6 +21,7 @@ HWY_INLINE bool cover_tiny(const Batch& b, int t, uint32_t& inside) {
     const hn::Rebind<int32_t, decltype(f)> s;
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(f));
     inside = 0;
+    const bool exact = b.side_doubt.at[t] == 0;
     const auto x = hn::ConvertTo(f, hn::And(hn::Iota(s, 0), hn::Set(s, 3)));
     for (int first = 0; first < 16; first += kLanes) {
         const auto y = hn::ConvertTo(f, hn::ShiftRight<2>(hn::Iota(s, first)));
@@ -29,8 +30,10 @@ HWY_INLINE bool cover_tiny(const Batch& b, int t, uint32_t& inside) {
             return hn::MulAdd(x, hn::Set(f, b.side_x[n].at[t]), at_row);
         };
         const auto e0 = e(0), e1 = e(1), e2 = e(2);
-        const auto nearest = hn::Min(hn::Min(hn::Abs(e0), hn::Abs(e1)), hn::Abs(e2));
-        if (!hn::AllFalse(f, hn::Lt(nearest, hn::Set(f, b.side_doubt.at[t])))) return false;
+        if (!exact) {
+            const auto nearest = hn::Min(hn::Min(hn::Abs(e0), hn::Abs(e1)), hn::Abs(e2));
+            if (!hn::AllFalse(f, hn::Lt(nearest, hn::Set(f, b.side_doubt.at[t])))) return false;
+        }
         const auto in = [&](auto value, size_t n) HWY_ATTR { return hn::Ge(value, hn::Set(f, b.side_least[n].at[t])); };
         inside |= bits_of(f, hn::And(hn::And(in(e0, 0), in(e1, 1)), in(e2, 2))) << first;
     }
