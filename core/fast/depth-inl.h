@@ -60,6 +60,17 @@ private:
     int column0_;
 };
 
+/// The pixels of `in` from x on, of one row, which pass the depth test; it is left nearer.
+template <class Tag>
+HWY_INLINE hn::Mask<Tag> pass_depth(const DepthRow<Tag>& depth, int x, int y, hn::Mask<Tag> in, float* line,
+                                    Again& again) {
+    const hn::Rebind<float, Tag> f;
+    const auto z = depth.at(x, y, in, again), old = load_some(f, hn::RebindMask(f, in), line + x);
+    const auto nearer = hn::And(hn::RebindMask(f, in), hn::Lt(z, old));
+    store_some(z, nearer, f, line + x);
+    return hn::RebindMask(Tag{}, nearer);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace texelscope
 HWY_AFTER_NAMESPACE();
