@@ -7,24 +7,11 @@
 #endif
 
 #include "core/fast/crossings-inl.h"
-#include "core/fast/depth-inl.h"
+#include "core/fast/fine-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace texelscope {
 namespace HWY_NAMESPACE {
-
-/// The pixels of `in` from x on, of row y, which pass the depth test; it is left nearer.
-template <class Tag>
-HWY_INLINE hn::Mask<Tag> pass_depth(const DepthRow<Tag>& depth, int x, int y, hn::Mask<Tag> in, Again& again,
-                                    const Canvas& canvas) {
-    const hn::Rebind<float, Tag> f;
-    float* const line = canvas.target.depth + y * std::ptrdiff_t{canvas.target.pitch};
-    const float* const end = line + canvas.target.width;
-    const auto z = depth.at(x, y, in, again), old = load_some(f, hn::RebindMask(f, in), line + x, end);
-    const auto nearer = hn::And(hn::RebindMask(f, in), hn::Lt(z, old));
-    store_some(z, nearer, f, line + x, end);
-    return hn::RebindMask(Tag{}, nearer);
-}
 
 /// These rows are drawn once more: nobody has decided their pixels.
 HWY_NOINLINE void forget(const Canvas& canvas, int row, int count, const Rows& rows) {
@@ -32,31 +19,6 @@ HWY_NOINLINE void forget(const Canvas& canvas, int row, int count, const Rows& r
     if (told == nullptr) return;
     for (int n = 0; n < count; ++n)
         for (int x = rows.x0.at[n]; x < rows.x1.at[n]; ++x) told->deciders[(row + n) * canvas.target.pitch + x] = 0;
-}
-
-/// Pixels [x, x + lanes) of a row, some of which are unsure. False: double cannot tell one of them, and `only_double`.
-template <class Tag>
-HWY_NOINLINE bool mend(Tag p, Again& again, int x, int y, hn::Mask<Tag> unsure, bool only_double,
-                       const Canvas& canvas) {
-    uint32_t* const line = canvas.target.pixels + y * canvas.target.pitch;
-    for (uint32_t m = bits_of(p, unsure); m != 0; m &= m - 1) {
-        const int at = x + std::countr_zero(m);
-        if (!only_double)
-            line[at] = again.texel(at, y);
-        else if (!again.texel_in_double(at, y, line[at]))
-            return false;
-    }
-    return true;
-}
-
-/// Stores the texels of `nearer` at (x, y) and to its right, right ones at once: no later pass could tell them apart.
-template <Addressing kAddressing, class Tag>
-HWY_INLINE void put_nearer(Tag p, const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> u, hn::Vec<Tag> v, int x, int y,
-                           hn::Mask<Tag> nearer, Again& again, const Canvas& canvas) {
-    uint32_t* const line = canvas.target.pixels + y * std::ptrdiff_t{canvas.target.pitch};
-    store_some(texels.fetch(u, v), nearer, p, line + x, line + canvas.target.width);
-    if (const auto unsure = hn::And(nearer, texels.unsure(u, v)); !hn::AllFalse(p, unsure))
-        mend(p, again, x, y, unsure, false, canvas);
 }
 
 /// The rows after `row` whose bits are set in `which`, some texels of which are unsure. Returns as mend() does.
@@ -74,7 +36,8 @@ HWY_NOINLINE bool rows_again(Tag p, const Batch& b, int t, int row, uint32_t whi
             const auto steps = hn::Iota(p, static_cast<uint32_t>(x - rows.x0.at[n]));
             const auto in = hn::FirstN(p, static_cast<size_t>(rows.x1.at[n] - x));
             const auto unsure = texels.unsure(hn::Add(hn::Mul(u_x, steps), u0), hn::Add(hn::Mul(v_x, steps), v0));
-            if (!mend(p, again, x, row + n, hn::And(in, unsure), only_double, canvas)) return false;
+            if (const auto asked = hn::And(in, unsure); !hn::AllFalse(p, asked))
+                if (!mend(p, again, x, row + n, asked, only_double, canvas)) return false;
         }
     }
     return true;
@@ -133,9 +96,9 @@ HWY_NOINLINE void draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
                        canvas.settings->skip(RasterSkip::zero_gradient);
     if (level) ++canvas.counters->of(RasterSkip::zero_gradient);
     uint64_t samples = 0;
-    for (int row = b.row0.at[t]; row < b.row1.at[t]; row += kRows) {
+    for (int row = b.row0.at[t], count = 0; row < b.row1.at[t]; row += count) {
         Rows rows;
-        const int count = std::min(kRows, b.row1.at[t] - row);
+        count = std::min(kRows, b.row1.at[t] - row);
         cross(b, t, row, count, columns, canvas, rows);
         start(b, t, row, count, texels.u.bias, texels.v.bias, rows);
         Least<Tag> least;
@@ -170,19 +133,26 @@ HWY_NOINLINE void draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
                     u = hn::Add(u, u_step), v = hn::Add(v, v_step);
                 }
                 if (left > 0) put_some<kCertain>(p, texels, u, v, left, out, end, least);
+                // Two such rows one after another: they may show that the next had better be drawn otherwise.
                 if constexpr (kWide && kCertain)
-                    if (!least.is_sure(texels)) unsure |= 1U << n, least = {};
+                    if (!least.is_sure(texels)) {
+                        unsure |= 1U << n, least = {};
+                        if ((unsure & unsure >> 1) != 0) count = n + 1;
+                    }
             }
         }
         if (!kWide && !kDepth && kCertain && !least.is_sure(texels)) unsure = (1U << count) - 1;
-        if (unsure == 0) continue;
-        if (!rows_again(p, b, t, row, unsure, rows, again, !ties_known, canvas, texels)) {
+        bool finely = false;
+        if (unsure != 0 && !rows_again(p, b, t, row, unsure, rows, again, !ties_known, canvas, texels)) {
             // One that double cannot tell is rarely alone: these rows once more, past all ties.
-            texels = Texels<Tag, kAddressing>(
-                canvas, b, t, certain_of(canvas, b, t, b.u.doubt.at[t], b.v.doubt.at[t], again.half_gaps()));
+            const CertainPair certain = certain_of(canvas, b, t, b.u.doubt.at[t], b.v.doubt.at[t], again.half_gaps());
+            texels = Texels<Tag, kAddressing>(canvas, b, t, certain);
             forget(canvas, row, count, rows);
-            ties_known = true, row -= kRows, samples = before;
+            ties_known = true, count = 0, samples = before, finely = !certain.sure();
+        } else if (kDepth || unsure != 0) {
+            finely = again.often(row + count - b.row0.at[t]);
         }
+        if (finely && draw_finely<false, kAddressing, kDepth>(b, t, row + count, again, canvas, samples)) break;
     }
     canvas.counters->samples += samples;
 }

@@ -60,6 +60,19 @@ private:
     int column0_;
 };
 
+/// The pixels of `in` from x on, of row y, which pass the depth test; it is left nearer.
+template <class Tag>
+HWY_INLINE hn::Mask<Tag> pass_depth(const DepthRow<Tag>& depth, int x, int y, hn::Mask<Tag> in, Again& again,
+                                    const Canvas& canvas) {
+    const hn::Rebind<float, Tag> f;
+    float* const line = canvas.target.depth + y * std::ptrdiff_t{canvas.target.pitch};
+    const float* const end = line + canvas.target.width;
+    const auto z = depth.at(x, y, in, again), old = load_some(f, hn::RebindMask(f, in), line + x, end);
+    const auto nearer = hn::And(hn::RebindMask(f, in), hn::Lt(z, old));
+    store_some(z, nearer, f, line + x, end);
+    return hn::RebindMask(Tag{}, nearer);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace texelscope
 HWY_AFTER_NAMESPACE();

@@ -51,11 +51,7 @@ HWY_INLINE void slopes_of(const Batch& b, int t, int row, int count, const Rows&
                 x1 = hn::PromoteTo(d, hn::Load(Index{}, rows.x1.at + lane));
         const V length = hn::Sub(x1, x0), before = hn::Floor(hn::Mul(length, hn::Set(d, .5)));
         const V right = hn::Sub(hn::Add(x0, before), column), down = hn::Iota(d, row + lane - b.row0.at[t]);
-        const auto at = [&](const PlaneEight& p) HWY_ATTR {
-            const Real r;
-            return hn::MulAdd(right, hn::Set(r, p.x.at[t]),
-                              hn::MulAdd(down, hn::Set(r, p.y.at[t]), hn::Set(r, p.at.at[t])));
-        };
+        const auto at = [&](const PlaneEight& p) HWY_ATTR { return plane_at(Real{}, p, t, right, down); };
         const V inverse = hn::Div(one, at(b.one)), slope = hn::Mul(d_x, inverse);
         const V u = hn::Mul(at(b.u_over), inverse), v = hn::Mul(at(b.v_over), inverse);
         const V u_n = hn::Mul(hn::NegMulAdd(u, d_x, hn::Set(d, b.u_over.x.at[t])), inverse),
@@ -152,7 +148,8 @@ HWY_NOINLINE bool perspective_again(Tag p, int row, uint32_t which, const Rows& 
             auto u = hn::Zero(p), v = hn::Zero(p);
             line.at(hn::Iota(f, static_cast<float>(x - rows.x0.at[n]) - slopes.before.at[n]), u, v);
             const auto in = hn::FirstN(p, static_cast<size_t>(rows.x1.at[n] - x));
-            if (!mend(p, again, x, row + n, hn::And(in, texels.unsure(u, v)), only_double, canvas)) return false;
+            if (const auto asked = hn::And(in, texels.unsure(u, v)); !hn::AllFalse(p, asked))
+                if (!mend(p, again, x, row + n, asked, only_double, canvas)) return false;
         }
     }
     return true;
@@ -196,11 +193,13 @@ HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
     CertainPair certain = narrow_certain_of(b, t);
     if (kNarrow && !certain.fits()) return false;
     Texels<Tag, kAddressing> texels(canvas, b, t, certain);
-    for (int row = b.row0.at[t]; row < b.row1.at[t]; row += kRows) {
+    for (int row = b.row0.at[t], count = 0; row < b.row1.at[t]; row += count) {
         Rows whole, part;
         Rows& rows = kNarrow ? whole : part;
-        const int count = std::min(kRows, b.row1.at[t] - row);
+        count = std::min(kRows, b.row1.at[t] - row);
         cross(b, t, row, count, columns, canvas, whole);
+        const uint64_t above = samples;
+        bool finely = false, mended = kDepth;
         for (int done = 0; done < widest; done += segment) {
             if constexpr (!kNarrow) part_of(whole, count, done, segment, part);
             const uint64_t before = samples;
@@ -209,7 +208,7 @@ HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
                 certain = certain_of(canvas, b, t, slopes.u.doubt, slopes.v.doubt, gaps);
                 texels = Texels<Tag, kAddressing>(canvas, b, t, certain);
                 if (!certain.fits()) {
-                    samples += rows_in_double<kDepth>(b, t, row, count, rows, again, canvas);
+                    samples += rows_in_double<kDepth>(b, t, row, count, rows, again, canvas), mended = true;
                     continue;
                 }
             }
@@ -241,21 +240,34 @@ HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
                     }
                 }
                 if constexpr (!kNarrow && !kDepth && kCertain)
-                    if (!least.is_sure(texels)) unsure |= 1U << n, least = {};
+                    if (!least.is_sure(texels)) {
+                        unsure |= 1U << n, least = {};
+                        if (done == 0 && (unsure & unsure >> 1) != 0) count = n + 1;  // as in draw_rows
+                    }
             }
             if (kDepth || !kCertain) continue;
             if (kNarrow && !least.is_sure(texels)) unsure = (1U << count) - 1;
             if (unsure == 0) continue;
-            if (!perspective_again(p, row, unsure, rows, slopes, again, !ties_known, canvas, texels)) {
-                gaps = again.half_gaps(), ties_known = true;
-                forget(canvas, row, count, rows);
-                if constexpr (kNarrow) {
-                    certain = certain_of(canvas, b, t, certain.u.bias, certain.v.bias, gaps);
-                    texels = Texels<Tag, kAddressing>(canvas, b, t, certain);
-                }
-                done -= segment, samples = before;
+            if (perspective_again(p, row, unsure, rows, slopes, again, !ties_known, canvas, texels)) {
+                mended = true;
+                continue;
             }
+            gaps = again.half_gaps(), ties_known = true;
+            if constexpr (kNarrow)
+                certain = certain_of(canvas, b, t, certain.u.bias, certain.v.bias, gaps);
+            else
+                certain = certain_of(canvas, b, t, slopes.u.doubt, slopes.v.doubt, gaps);
+            texels = Texels<Tag, kAddressing>(canvas, b, t, certain);
+            finely = !certain.sure();
+            if (finely) break;
+            forget(canvas, row, count, rows);
+            done -= segment, samples = before;
         }
+        if (finely)
+            forget(canvas, row, count, whole), count = 0, samples = above;
+        else
+            finely = mended && again.often(row + count - b.row0.at[t]);
+        if (finely && draw_finely<true, kAddressing, kDepth>(b, t, row + count, again, canvas, samples)) break;
     }
     canvas.counters->samples += samples;
     return true;

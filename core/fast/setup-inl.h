@@ -200,7 +200,7 @@ struct Certainty {
     HWY_INLINE Certainty(D d, hn::Vec<D> doubt, hn::Vec<D> half_gap, hn::Vec<D> texel, hn::Vec<D> per_texel) {
         const auto one = hn::Set(d, 1.0), eight = hn::Set(d, 8.0);
         fits = hn::Lt(hn::MulAdd(doubt, eight, eight), texel);  // in doubt within an eighth of a texel, at most
-        const auto sure = hn::Gt(half_gap, hn::Add(doubt, one));
+        const auto sure = hn::Gt(half_gap, doubt);
         bias = hn::IfThenElse(sure, half_gap, doubt);
         const auto twice = hn::Add(hn::Floor(hn::Add(doubt, doubt)), one);
         least = hn::IfThenElseZero(hn::AndNot(sure, fits), hn::Mul(twice, per_texel));

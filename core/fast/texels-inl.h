@@ -8,6 +8,7 @@
 
 #include <bit>
 #include <cmath>
+#include <optional>
 
 #include "core/fast/decide.h"
 #include "core/fast/setup-inl.h"
@@ -36,9 +37,9 @@ HWY_INLINE Pixels upper_half(Pixels a, Pixels b) {
 
 /// Certainty of one triangle's u or v.
 struct Certain {
-    double bias;
-    uint32_t least;
-    bool fits;
+    double bias = 0;
+    uint32_t least = 0;
+    bool fits = false;
 };
 
 /// u or v of one triangle, as many at once as the tag has lanes.
@@ -95,6 +96,8 @@ struct CertainPair {
     Certain u, v;
 
     [[nodiscard]] HWY_INLINE bool fits() const { return u.fits && v.fits; }
+    /// Whether no texel needs a test.
+    [[nodiscard]] HWY_INLINE bool sure() const { return fits() && u.least == 0 && v.least == 0; }
 };
 HWY_INLINE CertainPair certain_of(const Canvas& canvas, const Batch& b, int t, double u_doubt, double v_doubt,
                                   const HalfGaps& gaps) {
@@ -175,6 +178,12 @@ HWY_INLINE void put_some(Tag p, const Texels<Tag, kAddressing>& texels, hn::Vec<
     if constexpr (kCertain) least.see(texels, u, v);
 }
 
+/// A plane's value at some pixels of the box; setup-inl.h bounds what it loses.
+template <class D>
+HWY_INLINE hn::Vec<D> plane_at(D d, const PlaneEight& p, int t, hn::Vec<D> right, hn::Vec<D> down) {
+    return hn::MulAdd(right, hn::Set(d, p.x.at[t]), hn::MulAdd(down, hn::Set(d, p.y.at[t]), hn::Set(d, p.at.at[t])));
+}
+
 /// Texels of one triangle that int32 or float32 could not tell: in double, and exactly where that cannot either.
 class Again {
 public:
@@ -182,13 +191,13 @@ public:
         : canvas_(canvas), b_(b), t_(t), perspective_(perspective), decider_(canvas, b.index.at[t]) {}
 
     /// The texel of the target's pixel (x, y), where double can tell it.
-    [[nodiscard]] HWY_NOINLINE bool texel_in_double(int x, int y, uint32_t& texel) const {
+    [[nodiscard]] HWY_NOINLINE bool texel_in_double(int x, int y, uint32_t& texel) {
         const RasterTexture& texture = canvas_.texture;
-        ++canvas_.counters->in_double;
+        ++canvas_.counters->in_double, ++asked_;
         const double right = x - b_.column0.at[t_], down = y - b_.row0.at[t_];
         TexelIndex index;
-        if (!decided(right, down, b_.u, b_.u_over, b_.u_far.at[t_], texture.width, index.u) ||
-            !decided(right, down, b_.v, b_.v_over, b_.v_far.at[t_], texture.height, index.v))
+        if (!decided(right, down, b_.u, b_.u_over, u_unsure(), texture.width, index.u) ||
+            !decided(right, down, b_.v, b_.v_over, v_unsure(), texture.height, index.v))
             return false;
         texel = texture.texels[place_of(texture, index)];
         watch(canvas_, x, y, DecidedBy::in_double);
@@ -200,23 +209,29 @@ public:
         return texel_in_double(x, y, texel) ? texel : canvas_.texture.texels[decider_.texel(x, y)];
     }
     [[nodiscard]] float depth(int x, int y) { return decider_.depth(x, y); }
-    [[nodiscard]] HalfGaps half_gaps() {
+    /// Bounds of what double has lost [units].
+    [[nodiscard]] double u_unsure() const { return perspective_ ? b_.u_far.at[t_] : b_.u.unsure.at[t_]; }
+    [[nodiscard]] double v_unsure() const { return perspective_ ? b_.v_far.at[t_] : b_.v.unsure.at[t_]; }
+    /// Whether so many texels of the first `rows` rows were asked for that to draw finely costs less: chance alone asks
+    /// for one in some ten thousand.
+    [[nodiscard]] bool often(int rows) const { return asked_ > 1 && asked_ * 4 > rows; }
+    [[nodiscard]] const HalfGaps& half_gaps() {
+        if (half_gaps_) return *half_gaps_;
         const WideTriangle::Gaps gaps = decider_.gaps();
         if (canvas_.settings->watch != nullptr) canvas_.settings->watch->by_gap = true;
-        return {gaps.u / 2 * texel_units(canvas_, b_.u, t_, canvas_.texture.width),
-                gaps.v / 2 * texel_units(canvas_, b_.v, t_, canvas_.texture.height)};
+        return half_gaps_.emplace(HalfGaps{gaps.u / 2 * texel_units(canvas_, b_.u, t_, canvas_.texture.width),
+                                           gaps.v / 2 * texel_units(canvas_, b_.v, t_, canvas_.texture.height)});
     }
 
 private:
-    [[nodiscard]] static double at(const PlaneEight& p, int t, double right, double down) {
-        return p.at.at[t] + right * p.x.at[t] + down * p.y.at[t];
+    [[nodiscard]] double at(const PlaneEight& p, double right, double down) const {
+        const One d;
+        return hn::GetLane(plane_at(d, p, t_, hn::Set(d, right), hn::Set(d, down)));
     }
     /// Whether floor(u) is certain [texels].
-    [[nodiscard]] bool decided(double right, double down, const CoordinateEight& u, const PlaneEight& over, double far,
-                               int size, Integer& index) const {
-        const double value =
-            perspective_ ? at(over, t_, right, down) / at(b_.one, t_, right, down) : at(u.plane, t_, right, down);
-        const double unsure = perspective_ ? far : u.unsure.at[t_];
+    [[nodiscard]] bool decided(double right, double down, const CoordinateEight& u, const PlaneEight& over,
+                               double unsure, int size, Integer& index) const {
+        const double value = perspective_ ? at(over, right, down) / at(b_.one, right, down) : at(u.plane, right, down);
         // A quotient by a size that is no power of two rounds once more.
         const double texel = texel_units(canvas_, u, t_, size);
         const double texels = value / texel, off = unsure / texel + std::abs(texels) * 4 * kUlp;
@@ -230,6 +245,8 @@ private:
     const Batch& b_;
     int t_;
     bool perspective_;
+    int asked_ = 0;  ///< texels in double
+    std::optional<HalfGaps> half_gaps_;
     Decider decider_;
 };
 

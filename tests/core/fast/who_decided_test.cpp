@@ -59,6 +59,19 @@ TEST(WhoDecided, TiesAreTheSamplesWithWholeCoordinates) {
         }
 }
 
+TEST(WhoDecided, NearTiesAreCertainInDouble) {
+    // 5/48 texels a pixel: float32 rounds u and v at the corners, so that columns 4 and 52 are ties and near ones.
+    const auto moved = [](float px) { return px * 5 / 48; };
+    const Corners corners{corner(4.5F, 2.5F, 0, 0), corner(60.5F, 2.5F, moved(56), 0),
+                          corner(4.5F, 45.5F, 0, moved(43))};
+    const Decisions found = who_decided(corners, kTexture, kFrame);
+    expect_owned(found, corners);
+    for (int y = 3; y < 40; ++y) EXPECT_EQ(found.pixels.at(4, y), Decision::tie) << y;
+    EXPECT_EQ(found.of(Decision::in_double) + found.of(Decision::wide), 0U)
+        << "it is drawn finely from the first row on";
+    EXPECT_GT(found.of(Decision::certificate), 1000U);
+}
+
 TEST(WhoDecided, WhatDoubleDoesNotHoldIsDecidedExactly) {
     const Corners corners{corner(1e-30F, 2, 0, 0), corner(40, 5, 9, 1), corner(7, 30, 2, 8)};
     const Decisions found = who_decided(corners, kTexture, kFrame);

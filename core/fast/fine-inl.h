@@ -1,0 +1,171 @@
+// Texels that int32 or float32 left unsure: one by one, or, where a triangle has them again and again (samples on
+// borders of texels, or as near as float32 rounds a simple ratio's u and v at the corners), all from there on in
+// vectors of double. Its bound is so small that half of the gap between a border and any sample not on it is nearly
+// always more: then ties, too, cost no test (Certainty). They count as certain, as nothing is decided twice.
+#if defined(TEXELSCOPE_FINE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TEXELSCOPE_FINE_INL
+#undef TEXELSCOPE_FINE_INL
+#else
+#define TEXELSCOPE_FINE_INL
+#endif
+
+#include "core/fast/crossings-inl.h"
+#include "core/fast/depth-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace texelscope {
+namespace HWY_NAMESPACE {
+
+/// Pixels [x, x + lanes) of a row, some of which are unsure. False: double cannot tell one of them, and `only_double`.
+template <class Tag>
+HWY_NOINLINE bool mend(Tag p, Again& again, int x, int y, hn::Mask<Tag> unsure, bool only_double,
+                       const Canvas& canvas) {
+    uint32_t* const line = canvas.target.pixels + y * canvas.target.pitch;
+    for (uint32_t m = bits_of(p, unsure); m != 0; m &= m - 1) {
+        const int at = x + std::countr_zero(m);
+        if (!only_double)
+            line[at] = again.texel(at, y);
+        else if (!again.texel_in_double(at, y, line[at]))
+            return false;
+    }
+    return true;
+}
+
+/// Stores the texels of `nearer` at (x, y) and to its right, right ones at once: no later pass could tell them apart.
+template <Addressing kAddressing, class Tag>
+HWY_INLINE void put_nearer(Tag p, const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> u, hn::Vec<Tag> v, int x, int y,
+                           hn::Mask<Tag> nearer, Again& again, const Canvas& canvas) {
+    uint32_t* const line = canvas.target.pixels + y * std::ptrdiff_t{canvas.target.pitch};
+    store_some(texels.fetch(u, v), nearer, p, line + x, line + canvas.target.width);
+    if (const auto unsure = hn::And(nearer, texels.unsure(u, v)); !hn::AllFalse(p, unsure))
+        mend(p, again, x, y, unsure, false, canvas);
+}
+
+/// Adding it rounds |value| < 2^51 to whole numbers, which then stand in double's lowest bits.
+constexpr double kWholeDouble = 0x1.8p52;
+
+/// What makes texels certain in a FineRow. Double loses no more at a sample than it does where Again asks it, but for
+/// what moving the value loses: three roundings of numbers that are larger by the bias and half a unit, below 2^32
+/// units. 2^-20 is more than that, twice the bound than the rest. Where a texel is no whole number of units, what lies
+/// below a unit counts, too: it is cut off.
+HWY_INLINE CertainPair fine_certain_of(const Batch& b, int t, Again& again, const Canvas& canvas) {
+    const double cut = 0x1p-20 + (canvas.addressing == Addressing::any_size ? 1 : 0);
+    return certain_of(canvas, b, t, 2 * again.u_unsure() + cut, 2 * again.v_unsure() + cut, again.half_gaps());
+}
+
+/// u and v along a row in double, some pixels at once. They are moved by their bias and rounded down, except that whole
+/// numbers may lose a unit. That is as right: what the move puts on a border lies below it, since the bias is more than
+/// the error.
+template <bool kPerspective, class Tag>
+class FineRow {
+#if HWY_TARGET == HWY_SCALAR
+    using Half = hn::Rebind<double, Tag>;  // all of the one pixel
+#else
+    using Half = hn::Repartition<double, Tag>;  // every other pixel
+#endif
+    using Double = hn::Vec<Half>;
+
+public:
+    /// @param x  the first pixel
+    HWY_INLINE FineRow(const Batch& b, int t, int x, int y, const CertainPair& certain) {
+        const Half d;
+        right_ = hn::MulAdd(hn::Iota(d, 0), hn::Set(d, 2.0), hn::Set(d, x - b.column0.at[t]));
+        const Double down = hn::Set(d, y - b.row0.at[t]);
+        const auto along = [&](const PlaneEight& p, Double& at, Double& step) HWY_ATTR {
+            at = plane_at(Half{}, p, t, hn::Zero(Half{}), down), step = hn::Set(Half{}, p.x.at[t]);
+        };
+        along(kPerspective ? b.u_over : b.u.plane, u_, u_x_), along(kPerspective ? b.v_over : b.v.plane, v_, v_x_);
+        // Half a unit less, then rounded to the nearest one.
+        u_bias_ = hn::Set(d, certain.u.bias - .5), v_bias_ = hn::Set(d, certain.v.bias - .5);
+        if constexpr (kPerspective)
+            along(b.one, one_, one_x_);
+        else
+            u_ = hn::Add(u_, u_bias_), v_ = hn::Add(v_, v_bias_);
+    }
+
+    /// Of the next pixels [units].
+    HWY_INLINE void next(hn::Vec<Tag>& u, hn::Vec<Tag>& v) {
+        const Half d;
+        Double u_even, v_even;
+        at(right_, u_even, v_even);
+#if HWY_TARGET == HWY_SCALAR
+        const auto low = [](Double a) HWY_ATTR {
+            return hn::Set(Tag{}, static_cast<uint32_t>(std::bit_cast<uint64_t>(hn::GetLane(a))));
+        };
+        u = low(u_even), v = low(v_even);
+#else
+        Double u_odd, v_odd;
+        at(hn::Add(right_, hn::Set(d, 1.0)), u_odd, v_odd);
+        u = low_bits(u_odd, u_even), v = low_bits(v_odd, v_even);
+#endif
+        right_ = hn::Add(right_, hn::Set(d, static_cast<double>(hn::MaxLanes(Tag{}))));
+    }
+
+private:
+    HWY_INLINE void at(Double right, Double& u, Double& v) const {
+        const Half d;
+        u = hn::MulAdd(right, u_x_, u_), v = hn::MulAdd(right, v_x_, v_);
+        if constexpr (kPerspective) {
+            const Double inverse = hn::Div(hn::Set(d, 1.0), hn::MulAdd(right, one_x_, one_));
+            u = hn::MulAdd(u, inverse, u_bias_), v = hn::MulAdd(v, inverse, v_bias_);
+        }
+        u = hn::Add(u, hn::Set(d, kWholeDouble)), v = hn::Add(v, hn::Set(d, kWholeDouble));
+    }
+#if HWY_TARGET != HWY_SCALAR
+    [[nodiscard]] static HWY_INLINE hn::Vec<Tag> low_bits(Double odd, Double even) {
+        const hn::Repartition<uint64_t, Tag> bits;
+        const Tag p;
+        return hn::OddEven(hn::BitCast(p, hn::ShiftLeft<32>(hn::BitCast(bits, odd))), hn::BitCast(p, even));
+    }
+#endif
+
+    Double right_;  ///< the next pixels from the box' left, every other one [px]
+    Double u_, u_x_, v_, v_x_, one_, one_x_;
+    Double u_bias_, v_bias_;
+};
+
+/// The rows of a triangle from `row` on; counts their samples. False: nothing is drawn, double is too much in doubt.
+template <bool kPerspective, Addressing kAddressing, bool kDepth>
+HWY_NOINLINE bool draw_finely(const Batch& b, int t, int row, Again& again, const Canvas& canvas, uint64_t& samples) {
+    const CertainPair certain = fine_certain_of(b, t, again, canvas);
+    if (!certain.fits()) return false;
+    const Pixel p;
+    constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
+    const Texels<Pixel, kAddressing> texels(canvas, b, t, certain);
+    const bool sure = certain.sure();
+    for (; row < b.row1.at[t]; row += kRows) {
+        Rows rows;
+        const int count = std::min(kRows, b.row1.at[t] - row);
+        cross(b, t, row, count, {b.column0.at[t], b.column1.at[t]}, canvas, rows);
+        for (int n = 0, y = row; n < count; ++n, ++y) {
+            [[maybe_unused]] const DepthRow<Pixel> depth(b, t, y);
+            const int end = rows.x1.at[n];
+            if (rows.x0.at[n] < end) samples += static_cast<uint64_t>(end - rows.x0.at[n]);
+            FineRow<kPerspective, Pixel> along(b, t, rows.x0.at[n], y, certain);
+            for (int x = rows.x0.at[n]; x < end; x += kLanes) {
+                auto u = hn::Zero(p), v = u;
+                along.next(u, v);
+                auto in = hn::FirstN(p, static_cast<size_t>(end - x));
+                if constexpr (kDepth) {
+                    in = pass_depth(depth, x, y, in, again, canvas);
+                    if (hn::AllFalse(p, in)) continue;
+                }
+                uint32_t* const line = canvas.target.pixels + y * std::ptrdiff_t{canvas.target.pitch};
+                uint32_t* const out = line + x;
+                if (!kDepth && end - x >= kLanes)
+                    hn::StoreU(texels.fetch(u, v), p, out);
+                else
+                    store_some(texels.fetch(u, v), in, p, out, line + canvas.target.width);
+                if (sure) continue;
+                if (const auto unsure = hn::And(in, texels.unsure(u, v)); !hn::AllFalse(p, unsure))
+                    mend(p, again, x, y, unsure, false, canvas);
+            }
+        }
+    }
+    return true;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace texelscope
+HWY_AFTER_NAMESPACE();
+#endif
