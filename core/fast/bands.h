@@ -1,12 +1,19 @@
-// Threads, behind one file: a target is cut into bands of rows, one for each.
+// Threads, behind one file.
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 
 namespace texelscope {
 
-/// Calls draw(first row, last row) for `bands` bands of [0, height), as many at once as the machine has
-/// cores. Bands begin at multiples of 16 rows.
-void for_each_band(int bands, int height, const std::function<void(int band, int first, int last)>& draw);
+/// One kind of work after the other, by the same threads.
+struct Stage {
+    int parts;
+    std::function<void(int part)> work;
+};
+
+/// Does all parts of each stage, in any order, before the next one begins: as many at once as the machine has cores, at
+/// most `threads`. A thread that is done takes what others have not begun.
+void run_stages(int threads, std::initializer_list<Stage> stages);
 
 }  // namespace texelscope

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/fast/raster.h"
+#include "core/fast/strips.h"
 #include "core/fast/tiles.h"
 
 namespace texelscope {
@@ -19,11 +20,13 @@ struct Canvas {
     const RasterJob* job;
     const RasterSettings* settings;
     RasterCounters* counters;
-    DepthTiles* tiles;  ///< null without a depth test
+    DepthTiles* tiles = nullptr;  ///< null without a depth test
+    const Band* band = nullptr;   ///< null: all triangles are looked at
     Addressing addressing;
     int u_bits = 0, v_bits = 0;  ///< log2 of the size, where addressing is by powers
     double u_unit, v_unit;       ///< units in one unit of the vertices' u and v, but where clamped
 
+    [[nodiscard]] int triangles() const { return static_cast<int>(job->vertices.size() / 3); }
     [[nodiscard]] const Vertex* corners(int triangle) const {
         return job->vertices.data() + std::ptrdiff_t{triangle} * 3;
     }

@@ -4,13 +4,18 @@
 #include <cstdint>
 
 #include "core/fast/canvas.h"
+#include "core/fast/strips.h"
 
 namespace texelscope {
 
-using DrawAll = void (*)(const Canvas&);
+struct Loops {
+    void (*draw)(const Canvas&);  ///< all triangles, or those of the canvas' band
+    /// Notes which strips of the canvas' target the triangles [first, last) meet.
+    void (*sort_out)(const Canvas&, int first, int last, const Strips&);
+};
 
 struct RegisterTarget {
-    RegisterTarget(std::int64_t bits, DrawAll draw);  ///< `bits` as in Highway's HWY_TARGET
+    RegisterTarget(std::int64_t bits, Loops loops);  ///< `bits` as in Highway's HWY_TARGET
 };
 
 }  // namespace texelscope

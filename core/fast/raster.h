@@ -91,7 +91,7 @@ struct RasterSettings {
     std::uint32_t skips = ~0U;          ///< bit n: RasterSkip n is on
     bool certain = true;  ///< off: what lies in doubt stays as it is, to measure what deciding it costs; only for
                           ///< textures of powers of two that repeat, without depth
-    int threads = 1;      ///< each draws a band of the target, [1, kMaxRasterThreads]
+    int threads = 1;      ///< they draw bands of the target, [1, kMaxRasterThreads]; two bytes a triangle if several
     RasterWatch* watch = nullptr;  ///< is told who decided what; null: nobody asks. On one thread only
 
     [[nodiscard]] constexpr bool skip(RasterSkip which) const {
@@ -99,8 +99,9 @@ struct RasterSettings {
     }
 };
 
-/// How often each decision was made, and what for. Of several threads each looks at all triangles, those of other bands
-/// being off its screen.
+/// How often each decision was made, and what for. Where threads draw bands of the target, a triangle counts once in
+/// each of those that it is drawn in, but for what is found before: that it is outside, between samples, without area,
+/// culled.
 struct RasterCounters {
     std::uint64_t triangles = 0;  ///< looked at
     std::uint64_t drawn = 0;      ///< set up

@@ -1,5 +1,6 @@
 // All triangles of a job: a cheap pass drops what need not be drawn, the rest is set up eight at a time and drawn in
-// order. Immediately, not by bins: on one thread that was faster for every size of triangle.
+// order. Immediately, not by bins: on one thread that was faster for every size of triangle. Where threads draw bands
+// of rows, they first do the cheap pass together and note whose triangles are whose.
 #if defined(TEXELSCOPE_TRIANGLES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TEXELSCOPE_TRIANGLES_INL
 #undef TEXELSCOPE_TRIANGLES_INL
@@ -24,13 +25,17 @@ namespace HWY_NAMESPACE {
 
 constexpr int kNarrow = 4, kMedium = 24;  ///< rows up to these are drawn 4 or 8 pixels at once: measured [px]
 
+/// Whether the triangle has no picture.
+HWY_INLINE bool is_refused(int triangle, const Canvas& canvas) {
+    const std::span<const Vertex, 3> corners(canvas.corners(triangle), 3);
+    return !std::all_of(corners.begin(), corners.end(),
+                        [&](const Vertex& c) { return is_finite(c) && (c.w > 0 || !canvas.job->perspective); });
+}
+
 /// Every sample by the exact triangle: for coordinates whose differences double does not hold.
 HWY_NOINLINE void draw_slowly(int triangle, const Canvas& canvas) {
     const RasterTarget& target = canvas.target;
-    const std::span<const Vertex, 3> corners(canvas.corners(triangle), 3);
-    if (!std::all_of(corners.begin(), corners.end(),
-                     [&](const Vertex& c) { return is_finite(c) && (c.w > 0 || !canvas.job->perspective); }))
-        return void(++canvas.counters->refused);
+    if (is_refused(triangle, canvas)) return void(++canvas.counters->refused);
     ++canvas.counters->slow;
     Decider decider(canvas, triangle);
     const int winding = decider.exact().winding();
@@ -108,48 +113,194 @@ HWY_INLINE void flush(Batch& batch, int& count, const Canvas& canvas) {
 
 /// Lanes of triangles, and what is known of them without a set-up.
 struct Looked {
-    uint32_t keep;  ///< bit n: lane n is to be drawn
-    uint32_t fine;  ///< double holds its coordinates' differences
+    EightInt index;  ///< which triangle
+    uint32_t keep;   ///< bit n: lane n is to be drawn
+    uint32_t fine;   ///< double holds its coordinates' differences
     EightInt column0, row0, column1, row1;
     EightFloat nearest;
 };
 
-/// Looks at the triangles from `first` on, as many as there are lanes.
+/// Fetches the vertices that will be looked at soon after triangle `first`'s.
+HWY_INLINE void fetch_vertices(const Canvas& canvas, int first) {
+    constexpr int kAhead = 2048;  // [bytes]
+    constexpr int kTriangle = 3 * sizeof(Vertex);
+    const auto* const bytes = reinterpret_cast<const char*>(canvas.job->vertices.data());
+    for (int line = 0; line < kReals * kTriangle; line += 64)
+        hwy::Prefetch(bytes + std::ptrdiff_t{first} * kTriangle + kAhead + line);
+}
+
+/// The samples that triangles may own.
+struct Boxes {
+    V low_x, high_x, low_y, high_y;  ///< of the corners
+    V c0, c1, r0, r1;
+
+    HWY_INLINE Boxes(const Corners& p, const RasterTarget& target)
+        : low_x(least_of(p.x0, p.x1, p.x2)),
+          high_x(most_of(p.x0, p.x1, p.x2)),
+          low_y(least_of(p.y0, p.y1, p.y2)),
+          high_y(most_of(p.y0, p.y1, p.y2)),
+          c0(first_centre(low_x, target.width)),
+          c1(first_centre(high_x, target.width)),
+          r0(first_centre(low_y, target.height)),
+          r1(first_centre(high_y, target.height)) {}
+    HWY_INLINE void store(Looked& looked) const {
+        store_int(c0, looked.column0.at), store_int(c1, looked.column1.at);
+        store_int(r0, looked.row0.at), store_int(r1, looked.row1.at);
+    }
+};
+
+HWY_INLINE void store_nearest(const Fields& f, Looked& looked) {
+    hn::Store(hn::Min(hn::Min(f.z[0], f.z[1]), f.z[2]), Narrow{}, looked.nearest.at);
+}
+
+/// Looks at triangles [first, first + lanes) and says which of them are to be drawn; none from `all` on.
+template <bool kBoxes>
 HWY_NOINLINE void look_at(int first, int all, const Canvas& canvas, Looked& looked) {
     const Real d;
     const RasterTarget& target = canvas.target;
     const RasterSettings& settings = *canvas.settings;
-    const auto* const base = reinterpret_cast<const float*>(canvas.job->vertices.data());
-    alignas(32) int32_t triangles[kReals];
-    hn::Store(hn::Min(hn::Iota(Index{}, first), hn::Set(Index{}, all - 1)), Index{}, triangles);
-    const Fields f(base, triangles);
+    hn::Store(hn::Min(hn::Iota(Index{}, first), hn::Set(Index{}, all - 1)), Index{}, looked.index.at);
+    const Fields f(reinterpret_cast<const float*>(canvas.job->vertices.data()), looked.index.at);
     const Corners p(f, target);
-    auto there = hn::FirstN(d, static_cast<size_t>(std::min(kReals, all - first)));
+    auto there = hn::FirstN(d, static_cast<size_t>(std::clamp(all - first, 0, kReals)));
     const auto drop = [&](RasterSkip skip, hn::Mask<Real> which) HWY_ATTR {
         if (!settings.skip(skip)) return;
         const auto dropped = hn::And(there, which);
         canvas.counters->of(skip) += hn::CountTrue(Real{}, dropped);
         there = hn::AndNot(which, there);
     };
-    const V low_x = least_of(p.x0, p.x1, p.x2), high_x = most_of(p.x0, p.x1, p.x2);
-    const V low_y = least_of(p.y0, p.y1, p.y2), high_y = most_of(p.y0, p.y1, p.y2);
+    const Boxes box(p, target);
     const V zero = hn::Zero(d), width = hn::Set(d, target.width), height = hn::Set(d, target.height);
-    drop(RasterSkip::off_screen, hn::Or(hn::Or(hn::Le(high_x, zero), hn::Le(high_y, zero)),
-                                        hn::Or(hn::Ge(low_x, width), hn::Ge(low_y, height))));
-    const V c0 = first_centre(low_x, target.width), c1 = first_centre(high_x, target.width);
-    const V r0 = first_centre(low_y, target.height), r1 = first_centre(high_y, target.height);
-    drop(RasterSkip::no_sample, hn::Or(hn::Ge(c0, c1), hn::Ge(r0, r1)));
+    drop(RasterSkip::off_screen, hn::Or(hn::Or(hn::Le(box.high_x, zero), hn::Le(box.high_y, zero)),
+                                        hn::Or(hn::Ge(box.low_x, width), hn::Ge(box.low_y, height))));
+    drop(RasterSkip::no_sample, hn::Or(hn::Ge(box.c0, box.c1), hn::Ge(box.r0, box.r1)));
 
     const auto fine = is_fine(f, target);
     const V area = p.area();
     drop(RasterSkip::zero_area, hn::And(fine, hn::Eq(area, zero)));
     if (canvas.job->cull_back) drop(RasterSkip::back_face, hn::And(fine, hn::Lt(area, zero)));
     looked.keep = bits_of(d, there), looked.fine = bits_of(d, fine);
-    if (canvas.tiles == nullptr) return;
-    store_int(c0, looked.column0.at), store_int(c1, looked.column1.at);
-    store_int(r0, looked.row0.at), store_int(r1, looked.row1.at);
-    hn::Store(hn::Min(hn::Min(f.z[0], f.z[1]), f.z[2]), Narrow{}, looked.nearest.at);
+    if constexpr (kBoxes) box.store(looked), store_nearest(f, looked);
 }
+
+/// What hidden triangles are told by, of those that were looked at before.
+HWY_NOINLINE void find_boxes(const Canvas& canvas, Looked& looked) {
+    const Fields f(reinterpret_cast<const float*>(canvas.job->vertices.data()), looked.index.at);
+    Boxes(Corners(f, canvas.target), canvas.target).store(looked);
+    store_nearest(f, looked);
+}
+
+/// Looks at triangles [first, last), which begin and end a block, and notes the strips of those to be drawn.
+HWY_ATTR void sort_out(const Canvas& canvas, int first, int last, const Strips& strips) {
+    const hn::Rebind<int8_t, Real> byte;
+    const Index i;
+    const int all = canvas.triangles(), rows = canvas.target.height;
+    for (; first < last; first += kReals) {
+        fetch_vertices(canvas, first);
+        Looked looked;
+        look_at<true>(first, all, canvas, looked);
+        for (uint32_t mask = looked.keep & ~looked.fine; mask != 0; mask &= mask - 1) {
+            const int lane = std::countr_zero(mask);
+            if (is_refused(first + lane, canvas)) ++canvas.counters->refused, looked.keep &= ~(1U << lane);
+            // The box is that of rounded corners.
+            looked.row0.at[lane] = std::max(0, looked.row0.at[lane] - 1);
+            looked.row1.at[lane] = std::min(rows, looked.row1.at[lane] + 1);
+        }
+        const auto mask_of = [&](uint32_t bits) HWY_ATTR {
+            const uint8_t bytes[8] = {static_cast<uint8_t>(bits)};
+            return hn::LoadMaskBits(i, bytes);
+        };
+        // Where triangles between samples are not dropped, they have one row all the same.
+        const auto r0 = hn::Min(hn::Load(i, looked.row0.at), hn::Set(i, rows - 1));
+        const auto r1 = hn::Max(hn::Sub(hn::Load(i, looked.row1.at), hn::Set(i, 1)), r0);
+        const auto keep = mask_of(looked.keep);
+        const auto slow = hn::IfThenZeroElse(mask_of(looked.fine), hn::Set(i, Strips::kSlow));
+        const auto s0 = hn::Add(hn::ShiftRightSame(r0, strips.shift), slow), s1 = hn::ShiftRightSame(r1, strips.shift);
+        hn::StoreU(hn::DemoteTo(byte, hn::IfThenElse(keep, s0, hn::Set(i, Strips::kMost))), byte, &strips.first[first]);
+        hn::StoreU(hn::DemoteTo(byte, hn::IfThenElseZero(keep, s1)), byte, &strips.last[first]);
+    }
+}
+
+/// Bit n: whether triangle first + n is to be drawn in the band.
+HWY_INLINE uint64_t find_own(const Band& band, int first) {
+    const hn::CappedTag<int8_t, Strips::kBlock> d;
+    constexpr int kLanes = static_cast<int>(hn::MaxLanes(d));
+    const auto begin = hn::Set(d, static_cast<int8_t>(band.begin)), end = hn::Set(d, static_cast<int8_t>(band.end));
+    const auto strip = hn::Set(d, static_cast<int8_t>(~Strips::kSlow));
+    uint64_t own = 0;
+    for (int n = 0; n < Strips::kBlock; n += kLanes) {
+        const auto s0 = hn::And(hn::LoadU(d, &band.strips->first[first + n]), strip),
+                   s1 = hn::LoadU(d, &band.strips->last[first + n]);
+        uint8_t bytes[8] = {};
+        hn::StoreMaskBits(d, hn::AndNot(hn::Lt(s1, begin), hn::Lt(s0, end)), bytes);
+        uint64_t bits = 0;
+        std::memcpy(&bits, bytes, 8);
+        own |= bits << n;
+    }
+    return own;
+}
+
+/// The triangles to be drawn, in order, some at a time: of all of them, or of a band.
+class Queue {
+public:
+    HWY_INLINE explicit Queue(const Canvas& canvas) : canvas_(canvas), all_(canvas.triangles()) {
+        if (canvas.band == nullptr) return;
+        for (int32_t& triangle : ahead_) triangle = find_next();
+    }
+
+    /// False: there are no more.
+    template <bool kDepth>
+    HWY_INLINE bool next(Looked& looked) {
+        if (canvas_.band != nullptr) return next_of_band<kDepth>(looked);
+        if (first_ >= all_) return false;
+        fetch_vertices(canvas_, first_);
+        look_at<kDepth>(first_, all_, canvas_, looked);
+        first_ += kReals;
+        return true;
+    }
+
+private:
+    template <bool kDepth>
+    HWY_INLINE bool next_of_band(Looked& looked) {
+        int count = 0;
+        looked.fine = 0;
+        for (int32_t* next; count < kReals && *(next = &ahead_[taken_ % kAhead]) != kNone; ++count, ++taken_) {
+            looked.index.at[count] = *next;
+            looked.fine |= uint32_t{canvas_.band->strips->first[*next] >= 0} << count;
+            *next = find_next();
+        }
+        if (count == 0) return false;
+        looked.keep = (1U << count) - 1;
+        for (; count < kReals; ++count) looked.index.at[count] = looked.index.at[0];
+        if constexpr (kDepth) find_boxes(canvas_, looked);
+        return true;
+    }
+
+    /// The band's triangle after those found before, or kNone. Its corners are fetched: they may be far from the
+    /// last's.
+    HWY_INLINE int find_next() {
+        const Band& band = *canvas_.band;
+        for (; own_ == 0; first_ += Strips::kBlock) {
+            if (first_ >= band.strips->bytes) return kNone;
+            own_ = find_own(band, first_);
+        }
+        const int triangle = first_ - Strips::kBlock + std::countr_zero(own_);
+        own_ &= own_ - 1;
+        const auto* const corners = reinterpret_cast<const char*>(canvas_.corners(triangle));
+        hwy::Prefetch(corners), hwy::Prefetch(corners + 3 * sizeof(Vertex) - 1);
+        return triangle;
+    }
+
+    static constexpr int kNone = -1;
+    static constexpr unsigned kAhead = 32;
+
+    const Canvas& canvas_;
+    int all_;
+    int first_ = 0;          ///< not looked at yet
+    uint64_t own_ = 0;       ///< bit n: triangle n of the block before that is the band's and not yet found
+    int32_t ahead_[kAhead];  ///< a ring of those found and not yet taken
+    unsigned taken_ = 0;
+};
 
 /// Whether all that the triangle could draw is hidden.
 HWY_INLINE bool is_hidden(const Looked& looked, int lane, const Canvas& canvas) {
@@ -174,33 +325,25 @@ HWY_INLINE void fetch_ahead(const Looked& looked, int lane, const Canvas& canvas
 
 template <Addressing kAddressing, bool kDepth, bool kCertain>
 HWY_INLINE void draw_triangles(const Canvas& canvas) {
-    constexpr int kAhead = 2048;  // the stream of vertices is fetched so far ahead [bytes]
-    const int all = static_cast<int>(canvas.job->vertices.size() / 3);
-    const auto* const bytes = reinterpret_cast<const char*>(canvas.job->vertices.data());
-    constexpr int kTriangle = 3 * sizeof(Vertex);
+    Queue queue(canvas);
     Batch batch;
+    Looked looked;
     int waiting = 0;
-    for (int first = 0; first < all; first += kReals) {
-        for (int line = 0; line < kReals * kTriangle; line += 64)
-            hwy::Prefetch(bytes + std::ptrdiff_t{first} * kTriangle + kAhead + line);
-        Looked looked;
-        look_at(first, all, canvas, looked);
+    while (queue.next<kDepth>(looked))
         for (uint32_t mask = looked.keep; mask != 0; mask &= mask - 1) {
-            const int lane = std::countr_zero(mask);
+            const int lane = std::countr_zero(mask), triangle = looked.index.at[lane];
             if ((looked.fine >> lane & 1) == 0) {
                 flush<kAddressing, kDepth, kCertain>(batch, waiting, canvas);
-                draw_slowly(first + lane, canvas);
+                draw_slowly(triangle, canvas);
                 if constexpr (kDepth) canvas.tiles->touch({0, 0, canvas.target.width, canvas.target.height});
                 continue;
             }
             if (kDepth && is_hidden(looked, lane, canvas)) continue;
             if constexpr (kDepth) fetch_ahead(looked, lane, canvas);
-            batch.index.at[waiting++] = first + lane;
+            batch.index.at[waiting++] = triangle;
             if (waiting == kBatch) flush<kAddressing, kDepth, kCertain>(batch, waiting, canvas);
         }
-    }
     flush<kAddressing, kDepth, kCertain>(batch, waiting, canvas);
-    canvas.counters->triangles += static_cast<uint64_t>(all);
 }
 
 template <Addressing kAddressing>
@@ -221,7 +364,7 @@ HWY_ATTR void draw_all(const Canvas& canvas) {
     }
 }
 
-const RegisterTarget kRegistered(HWY_TARGET, draw_all);
+const RegisterTarget kRegistered(HWY_TARGET, {draw_all, sort_out});
 
 }  // namespace HWY_NAMESPACE
 }  // namespace texelscope

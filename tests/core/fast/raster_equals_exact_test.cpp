@@ -246,6 +246,40 @@ TEST(RasterThreads, DrawTheSamePicture) {
     }
 }
 
+/// What is dropped or refused before bands are drawn counts once, whatever the number of threads.
+TEST(RasterThreads, LookAtEachTriangleOnce) {
+    laws::Dice dice(9);
+    const RasterTexture& texture = textures()[0].texture;
+    std::vector<Vertex> vertices;
+    for (int n = 0; n < 5000; ++n) {  // more than a thread takes at once
+        auto corners = random_triangle(dice, n);
+        if (n % 7 == 0) corners[2] = corners[1];
+        if (n % 11 == 0) corners[0].y = n % 2 == 0 ? NAN : INFINITY;
+        if (n % 13 == 0) corners[1].x = 1e30F, corners[2].y = -1e30F;
+        if (n % 17 == 0)
+            for (Vertex& c : corners) c.y += 3 * kHeight;
+        vertices.insert(vertices.end(), corners.begin(), corners.end());
+    }
+    RasterJob job = job_of(vertices, texture);
+    job.cull_back = true;
+    RasterCounters one;
+    const Picture expected = drawn(texture, job, one);
+    EXPECT_GT(one.refused, 100U);
+    EXPECT_GT(one.slow, 100U);
+    for (const int threads : {2, 3, kMaxRasterThreads}) {
+        RasterCounters counters;
+        ASSERT_EQ(drawn(texture, job, counters, {.threads = threads}), expected) << threads;
+        EXPECT_EQ(counters.triangles, 5000U);
+        EXPECT_EQ(counters.refused, one.refused) << threads;
+        EXPECT_EQ(counters.samples, one.samples) << threads;
+        for (const RasterSkip skip :
+             {RasterSkip::off_screen, RasterSkip::no_sample, RasterSkip::zero_area, RasterSkip::back_face}) {
+            EXPECT_GT(one.of(skip), 10U) << static_cast<int>(skip);
+            EXPECT_EQ(counters.of(skip), one.of(skip)) << static_cast<int>(skip) << ", " << threads << " threads";
+        }
+    }
+}
+
 /// Any subset of the skips leaves the picture as it is.
 TEST(RasterSkips, ChangeNoPixel) {
     laws::Dice dice(6);
