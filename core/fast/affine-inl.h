@@ -159,7 +159,7 @@ HWY_NOINLINE void draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
 
 /// The same for a triangle whose rows have but a few pixels: the rows' first pixels side by side, then their second
 /// ones.
-template <Addressing kAddressing>
+template <Addressing kAddressing, bool kCertain>
 HWY_NOINLINE void draw_columns(const Batch& b, int t, const Canvas& canvas) {
     using Tag = hn::CappedTag<uint32_t, kBatch>;
     const Tag p;
@@ -178,32 +178,38 @@ HWY_NOINLINE void draw_columns(const Batch& b, int t, const Canvas& canvas) {
         const int count = std::min(kRows, b.row1.at[t] - row);
         cross(b, t, row, count, columns, canvas, rows);
         start(b, t, row, count, texels.u.bias, texels.v.bias, rows);
-        for (int n = count; n % kLanes != 0; ++n)
-            rows.x0.at[n] = rows.x1.at[n] = 0, rows.u.at[n] = rows.u.at[0], rows.v.at[n] = rows.v.at[0];
+        for (int n = count; n % kLanes != 0; ++n) rows.x0.at[n] = rows.x1.at[n] = 0;
         Least<Tag> least;
         const uint64_t before = samples;
         for (int n = 0; n < count; n += kLanes) {
-            const auto width = hn::Sub(hn::Load(s, rows.x1.at + n), hn::Load(s, rows.x0.at + n));
-            auto u = hn::BitCast(p, hn::Load(s, rows.u.at + n)), v = hn::BitCast(p, hn::Load(s, rows.v.at + n));
-            const auto first = texels.place(u, v);
-            uint32_t* const line = canvas.target.pixels + (row + n) * pitch;
-            for (int i = 0;; ++i) {
-                const auto in = hn::RebindMask(p, hn::Gt(width, hn::Set(s, i)));
-                const uint32_t inside = bits_of(p, in);
-                if (inside == 0) break;
+            const auto load = [&](const OfRows<int32_t>& of) HWY_ATTR { return hn::Load(s, of.at + n); };
+            const auto width = hn::Sub(load(rows.x1), load(rows.x0)), which = hn::Iota(s, 0);
+            const auto there = hn::Gt(width, hn::Zero(s));
+            uint32_t inside = bits_of(s, there);
+            if (inside == 0) continue;
+            // Every lane draws, so that no branch depends on how many do: rows without pixels are another row once
+            // more, those that have ended their first pixel.
+            const int some = std::countr_zero(inside);
+            const auto taken = [&](hn::Vec<decltype(s)> own, int32_t other)
+                                   HWY_ATTR { return hn::BitCast(p, hn::IfThenElse(there, own, hn::Set(s, other))); };
+            auto u = taken(load(rows.u), rows.u.at[n + some]), v = taken(load(rows.v), rows.v.at[n + some]);
+            const auto line = hn::Mul(taken(which, some), hn::Set(p, static_cast<uint32_t>(pitch)));
+            const auto at = hn::Add(line, taken(load(rows.x0), rows.x0.at[n + some])), place = texels.place(u, v);
+            uint32_t* const out = canvas.target.pixels + (row + n) * pitch;
+            scatter_looked_up(p, texels.texels, place, at, out);
+            if constexpr (kCertain) least.see(texels, u, v);
+            for (int i = 1;; ++i) {
                 samples += static_cast<uint64_t>(std::popcount(inside));
-                least.see(texels, u, v);
-                alignas(64) uint32_t found[kLanes];
-                // Rows that have ended read once more what they have read.
-                hn::Store(texels.fetch(hn::IfThenElse(in, texels.place(u, v), first)), p, found);
-                for (uint32_t m = inside; m != 0; m &= m - 1) {
-                    const int k = std::countr_zero(m);
-                    line[k * pitch + rows.x0.at[n + k] + i] = found[k];
-                }
+                const auto in = hn::RebindMask(p, hn::Gt(width, hn::Set(s, i)));
+                inside = bits_of(p, in);
+                if (inside == 0) break;
                 u = hn::Add(u, u_x), v = hn::Add(v, v_x);
+                if constexpr (kCertain) least.see(texels, u, v);
+                scatter_looked_up(p, texels.texels, hn::IfThenElse(in, texels.place(u, v), place),
+                                  hn::IfThenElse(in, hn::Add(at, hn::Set(p, static_cast<uint32_t>(i))), at), out);
             }
         }
-        if (least.is_sure(texels)) continue;
+        if (!kCertain || least.is_sure(texels)) continue;
         if (!rows_again(p, b, t, row, (1U << count) - 1, rows, again, !ties_known, canvas, texels)) {
             texels = Texels<Tag, kAddressing>(
                 canvas, b, t, certain_of(canvas, b, t, b.u.doubt.at[t], b.v.doubt.at[t], again.half_gaps()));

@@ -201,6 +201,28 @@ HWY_INLINE hn::Vec<Tag> look_up(Tag p, const uint32_t* table, hn::Vec<Tag> place
 #endif
 }
 
+/// Stores table[place] of each lane to out[at], in any order.
+template <class Tag>
+HWY_INLINE void scatter_looked_up([[maybe_unused]] Tag p, const uint32_t* table, hn::Vec<Tag> place, hn::Vec<Tag> at,
+                                  uint32_t* out) {
+#if HWY_TARGET == HWY_SCALAR
+    out[hn::GetLane(at)] = table[hn::GetLane(place)];
+#else
+    if constexpr (hn::MaxLanes(p) > 4) {
+        const hn::Half<Tag> half;
+        scatter_looked_up(half, table, hn::LowerHalf(half, place), hn::LowerHalf(half, at), out);
+        scatter_looked_up(half, table, hn::UpperHalf(half, place), hn::UpperHalf(half, at), out);
+    } else {
+        const hn::Repartition<uint64_t, Tag> pairs;
+        const auto two = [&](uint64_t from, uint64_t to) HWY_ATTR {
+            out[static_cast<uint32_t>(to)] = table[static_cast<uint32_t>(from)], out[to >> 32] = table[from >> 32];
+        };
+        two(hn::GetLane(hn::BitCast(pairs, place)), hn::GetLane(hn::BitCast(pairs, at)));
+        two(hn::ExtractLane(hn::BitCast(pairs, place), 1), hn::ExtractLane(hn::BitCast(pairs, at), 1));
+    }
+#endif
+}
+
 HWY_INLINE V least_of(V a, V b, V c) { return hn::Min(hn::Min(a, b), c); }
 HWY_INLINE V most_of(V a, V b, V c) { return hn::Max(hn::Max(a, b), c); }
 

@@ -23,7 +23,8 @@ HWY_BEFORE_NAMESPACE();
 namespace texelscope {
 namespace HWY_NAMESPACE {
 
-constexpr int kNarrow = 4, kMedium = 24;  ///< rows up to these are drawn 4 or 8 pixels at once: measured [px]
+/// Rows up to these are drawn side by side, or 8 pixels at once: measured [px].
+constexpr int kNarrow = 8, kMedium = 24;
 
 /// Whether the triangle has no picture.
 HWY_INLINE bool is_refused(int triangle, const Canvas& canvas) {
@@ -70,7 +71,6 @@ HWY_INLINE void draw_triangle(const Batch& b, int t, const Canvas& canvas) {
     constexpr bool kMost = kAddressing == Addressing::powers;
     const hn::ScalableTag<uint32_t> wide;
     const hn::CappedTag<uint32_t, kMost ? 8 : hn::MaxLanes(wide)> medium;
-    const hn::CappedTag<uint32_t, kMost && !kDepth ? 4 : hn::MaxLanes(medium)> narrow;
     if constexpr (kMost && !kDepth)
         if (!canvas.job->perspective && b.tiny.at[t] != 0 && draw_tiny<kAddressing>(b, t, canvas)) return;
     const int widest = b.widest.at[t];
@@ -80,8 +80,7 @@ HWY_INLINE void draw_triangle(const Batch& b, int t, const Canvas& canvas) {
     }
     if (canvas.job->perspective) ++canvas.counters->of(RasterSkip::equal_w);
     if constexpr (kMost && !kDepth)
-        if (widest <= kNarrow && canvas.settings->certain) return draw_columns<kAddressing>(b, t, canvas);
-    if (widest <= kNarrow) return draw_rows<false, kAddressing, kDepth, kCertain>(narrow, b, t, canvas);
+        if (widest <= kNarrow) return draw_columns<kAddressing, kCertain>(b, t, canvas);
     if (widest <= kMedium) return draw_rows<false, kAddressing, kDepth, kCertain>(medium, b, t, canvas);
     return draw_rows<true, kAddressing, kDepth, kCertain>(wide, b, t, canvas);
 }
