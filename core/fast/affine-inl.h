@@ -188,25 +188,22 @@ HWY_NOINLINE void draw_columns(const Batch& b, int t, const Canvas& canvas) {
             uint32_t inside = bits_of(s, there);
             if (inside == 0) continue;
             // Every lane draws, so that no branch depends on how many do: rows without pixels are another row once
-            // more, those that have ended their first pixel.
+            // more, those that have ended their last pixel.
             const int some = std::countr_zero(inside);
             const auto taken = [&](hn::Vec<decltype(s)> own, int32_t other)
                                    HWY_ATTR { return hn::BitCast(p, hn::IfThenElse(there, own, hn::Set(s, other))); };
             auto u = taken(load(rows.u), rows.u.at[n + some]), v = taken(load(rows.v), rows.v.at[n + some]);
-            const auto line = hn::Mul(taken(which, some), hn::Set(p, static_cast<uint32_t>(pitch)));
-            const auto at = hn::Add(line, taken(load(rows.x0), rows.x0.at[n + some])), place = texels.place(u, v);
+            auto at = hn::Add(hn::Mul(taken(which, some), hn::Set(p, static_cast<uint32_t>(pitch))),
+                              taken(load(rows.x0), rows.x0.at[n + some]));
             uint32_t* const out = canvas.target.pixels + (row + n) * pitch;
-            scatter_looked_up(p, texels.texels, place, at, out);
-            if constexpr (kCertain) least.see(texels, u, v);
-            for (int i = 1;; ++i) {
+            for (int i = 1; inside != 0; ++i) {
                 samples += static_cast<uint64_t>(std::popcount(inside));
+                scatter_looked_up(p, texels.texels, texels.place(u, v), at, out);
+                if constexpr (kCertain) least.see(texels, u, v);
                 const auto in = hn::RebindMask(p, hn::Gt(width, hn::Set(s, i)));
                 inside = bits_of(p, in);
-                if (inside == 0) break;
-                u = hn::Add(u, u_x), v = hn::Add(v, v_x);
-                if constexpr (kCertain) least.see(texels, u, v);
-                scatter_looked_up(p, texels.texels, hn::IfThenElse(in, texels.place(u, v), place),
-                                  hn::IfThenElse(in, hn::Add(at, hn::Set(p, static_cast<uint32_t>(i))), at), out);
+                u = hn::IfThenElse(in, hn::Add(u, u_x), u), v = hn::IfThenElse(in, hn::Add(v, v_x), v);
+                at = hn::IfThenElse(in, hn::Add(at, hn::Set(p, 1U)), at);
             }
         }
         if (!kCertain || least.is_sure(texels)) continue;
