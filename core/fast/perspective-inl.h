@@ -37,6 +37,7 @@ struct Slope {
 struct Slopes {
     OfRows<float> d, before;  ///< before: pixels from a row's first to its middle
     Slope u, v;
+    bool divides = true;  ///< d is not 0: else i / (1 + i d) is i
 };
 
 /// The slopes of rows [row, row + count); with kBound how far they take u and v, too.
@@ -94,9 +95,10 @@ struct PerspectiveRow {
     hn::Vec<Tag> u0, v0;
     hn::Vec<Float> u_n, v_n, d;
     int u_shift, v_shift;
+    bool divides;
 
     HWY_INLINE PerspectiveRow(const Rows& rows, const Slopes& slopes, int n)
-        : u_shift(slopes.u.shift), v_shift(slopes.v.shift) {
+        : u_shift(slopes.u.shift), v_shift(slopes.v.shift), divides(slopes.divides) {
         const Float f;
         u0 = from(rows.u.at[n], u_shift), v0 = from(rows.v.at[n], v_shift);
         u_n = hn::Set(f, slopes.u.n.at[n] * slopes.u.scale), v_n = hn::Set(f, slopes.v.n.at[n] * slopes.v.scale);
@@ -105,7 +107,8 @@ struct PerspectiveRow {
     /// i pixels after the row's middle.
     HWY_INLINE void at(hn::Vec<Float> i, hn::Vec<Tag>& u, hn::Vec<Tag>& v) const {
         const Float f;
-        const auto quotient = hn::Div(i, hn::MulAdd(i, d, hn::Set(f, 1.0F))), whole = hn::Set(f, kWholeFloat);
+        const auto quotient = divides ? hn::Div(i, hn::MulAdd(i, d, hn::Set(f, 1.0F))) : i,
+                   whole = hn::Set(f, kWholeFloat);
         u = hn::Add(u0, hn::ShiftLeftSame(hn::BitCast(Tag{}, hn::MulAdd(u_n, quotient, whole)), u_shift));
         v = hn::Add(v0, hn::ShiftLeftSame(hn::BitCast(Tag{}, hn::MulAdd(v_n, quotient, whole)), v_shift));
     }
@@ -188,10 +191,12 @@ HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
     HalfGaps gaps;
     bool ties_known = false;
     Slopes slopes;
+    slopes.divides = b.one.x.at[t] != 0 || !canvas.settings->skip(RasterSkip::level_w);
     slopes.u.shift = b.u_along.shift.at[t], slopes.u.scale = b.u_along.scale.at[t];
     slopes.v.shift = b.v_along.shift.at[t], slopes.v.scale = b.v_along.scale.at[t];
     CertainPair certain = narrow_certain_of(b, t);
     if (kNarrow && !certain.fits()) return false;
+    if (!slopes.divides) ++canvas.counters->of(RasterSkip::level_w);
     Texels<Tag, kAddressing> texels(canvas, b, t, certain);
     for (int row = b.row0.at[t], count = 0; row < b.row1.at[t]; row += count) {
         Rows whole, part;

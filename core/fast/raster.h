@@ -63,6 +63,7 @@ enum class RasterSkip : std::uint8_t {
     back_face,      ///< culled triangles: before they are set up
     hidden,         ///< triangles behind all that stands in the tiles that they meet (hierarchical z)
     equal_w,        ///< perspective where all corners are equally far
+    level_w,        ///< a division a pixel where w stays along rows, as on floors
     zero_gradient,  ///< looking up a row's texels where neither u nor v changes along it
     one_texel,      ///< looking up texels where all corners lie in the same one
 };
@@ -70,13 +71,15 @@ struct RasterSkipInfo {
     RasterSkip skip;
     std::string_view id, sentence;
 };
-inline constexpr std::array<RasterSkipInfo, 8> kRasterSkips{{
+inline constexpr std::array<RasterSkipInfo, 9> kRasterSkips{{
     {RasterSkip::off_screen, "off-screen", "Triangles outside the picture are dropped before they are set up."},
     {RasterSkip::no_sample, "no-sample", "Triangles whose box lies between samples are dropped before set-up."},
     {RasterSkip::zero_area, "zero-area", "Triangles without area are dropped before set-up."},
     {RasterSkip::back_face, "back-face", "Triangles seen from behind are dropped before set-up."},
     {RasterSkip::hidden, "hidden", "Triangles behind the farthest depth of every 16 x 16 tile they meet are dropped."},
     {RasterSkip::equal_w, "equal-w", "Triangles with equal w at all corners are drawn without a division a pixel."},
+    {RasterSkip::level_w, "level-w",
+     "Triangles whose w stays along rows are drawn with a division a row, not a pixel."},
     {RasterSkip::zero_gradient, "zero-gradient",
      "Without depth, rows of wide triangles along which u and v stay are filled with one texel."},
     {RasterSkip::one_texel, "one-texel", "Triangles whose corners lie in one texel are filled with it."},

@@ -284,7 +284,7 @@ TEST(RasterThreads, LookAtEachTriangleOnce) {
 TEST(RasterSkips, ChangeNoPixel) {
     laws::Dice dice(6);
     const RasterTexture& texture = textures()[0].texture;
-    std::uint64_t level = 0, single = 0;
+    std::uint64_t level = 0, single = 0, floors = 0;
     for (int n = 0; n < 40; ++n) {
         std::vector<Vertex> vertices;
         for (int k = 0; k < 60; ++k) {
@@ -296,6 +296,7 @@ TEST(RasterSkips, ChangeNoPixel) {
                 for (Vertex& c : corners) c.x *= 2, c.u = .02F * c.y, c.v = .3F - .01F * c.y;
             if (k % 7 == 0)
                 for (Vertex& c : corners) c.u = .3F + 1e-6F * c.u, c.v = .7F;
+            if (k % 11 == 0) corners[1].y = corners[0].y, corners[1].w = corners[0].w;  // a floor's
             vertices.insert(vertices.end(), corners.begin(), corners.end());
         }
         RasterJob job = job_of(vertices, texture);
@@ -312,9 +313,11 @@ TEST(RasterSkips, ChangeNoPixel) {
         ASSERT_EQ(drawn(texture, job, without, {.skips = 0}), expected);
         for (const RasterSkip skip : {RasterSkip::off_screen, RasterSkip::zero_area, RasterSkip::back_face})
             EXPECT_GT(with.of(skip), 0U) << static_cast<int>(skip);
-        level += with.of(RasterSkip::zero_gradient), single += with.of(RasterSkip::one_texel);
+        level += with.of(RasterSkip::zero_gradient), single += with.of(RasterSkip::one_texel),
+            floors += with.of(RasterSkip::level_w);
     }
     EXPECT_GT(single, 0U);
+    EXPECT_GT(floors, 0U);
     EXPECT_GT(level, 0U) << "of wide triangles only, without depth";
 }
 
