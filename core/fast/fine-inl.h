@@ -9,6 +9,8 @@
 #define TEXELSCOPE_FINE_INL
 #endif
 
+#include <bit>
+
 #include "core/fast/crossings-inl.h"
 #include "core/fast/depth-inl.h"
 
@@ -49,8 +51,12 @@ constexpr double kWholeDouble = 0x1.8p52;
 /// units. 2^-20 is more than that, twice the bound than the rest. Where a texel is no whole number of units, what lies
 /// below a unit counts, too: it is cut off.
 HWY_INLINE CertainPair fine_certain_of(const Batch& b, int t, Again& again, const Canvas& canvas) {
-    const double cut = 0x1p-20 + (canvas.addressing == Addressing::any_size ? 1 : 0);
-    return certain_of(canvas, b, t, 2 * again.u_unsure() + cut, 2 * again.v_unsure() + cut, again.half_gaps());
+    const auto cut = [&](int size) {
+        return 0x1p-20 +
+               (canvas.addressing == Addressing::any_size && !std::has_single_bit(static_cast<unsigned>(size)) ? 1 : 0);
+    };
+    return certain_of(canvas, b, t, 2 * again.u_unsure() + cut(canvas.texture.width),
+                      2 * again.v_unsure() + cut(canvas.texture.height), again.half_gaps());
 }
 
 /// u and v along a row in double, some pixels at once. They are moved by their bias and rounded down, except that whole

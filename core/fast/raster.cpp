@@ -33,6 +33,7 @@ std::vector<Target>& targets() {
 
 [[nodiscard]] std::int64_t bits_of(SimdLevel level) {
     switch (level) {
+        case SimdLevel::scalar: return HWY_SCALAR;
         case SimdLevel::sse4: return HWY_SSE4;
         case SimdLevel::avx2: return HWY_AVX2;
         case SimdLevel::avx512: return HWY_AVX3;

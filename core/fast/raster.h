@@ -45,13 +45,15 @@ struct RasterJob {
 };
 
 /// The instructions to use; each gives the same pixels.
-enum class SimdLevel : std::uint8_t { best, sse4, avx2, avx512 };
+enum class SimdLevel : std::uint8_t { best, scalar, sse4, avx2, avx512 };
 struct SimdLevelInfo {
     SimdLevel level;
     std::string_view id;
 };
-inline constexpr std::array<SimdLevelInfo, 3> kSimdLevels{
-    {{SimdLevel::sse4, "sse4"}, {SimdLevel::avx2, "avx2"}, {SimdLevel::avx512, "avx512"}}};
+inline constexpr std::array<SimdLevelInfo, 4> kSimdLevels{{{SimdLevel::scalar, "scalar"},
+                                                           {SimdLevel::sse4, "sse4"},
+                                                           {SimdLevel::avx2, "avx2"},
+                                                           {SimdLevel::avx512, "avx512"}}};
 /// Whether this machine has the level's instructions, and the program was built for them.
 [[nodiscard]] bool is_supported(SimdLevel level);
 

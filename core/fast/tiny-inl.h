@@ -73,6 +73,7 @@ HWY_INLINE bool draw_tiny(const Batch& b, int t, const Canvas& canvas) {
     uint32_t* out = canvas.target.pixels + row * canvas.target.pitch + column;
     const hn::CappedTag<uint32_t, 4> four;
     for (int n = 0; n < 4; ++n, out += canvas.target.pitch) {
+        // Others' rows, or none: a masked store leaves them alone, but not one that writes what stands there again.
         if (HWY_TARGET > HWY_AVX3 && row + n == canvas.target.height) break;
         const uint32_t* const end = out - column + canvas.target.width;
         const uint8_t bits[8] = {static_cast<uint8_t>(inside >> (4 * n) & 15)};

@@ -355,9 +355,12 @@ HWY_INLINE void draw_addressed(const Canvas& canvas) {
 
 HWY_ATTR void draw_all(const Canvas& canvas) {
     switch (canvas.addressing) {
-        case Addressing::powers:
+        case Addressing::powers: {
             if constexpr (HWY_TARGET != HWY_SCALAR) return draw_addressed<Addressing::powers>(canvas);
-            [[fallthrough]];
+            Canvas plain = canvas;  // without lanes there are no blocks of samples
+            plain.addressing = Addressing::any_size;
+            return draw_addressed<Addressing::any_size>(plain);
+        }
         case Addressing::any_size: return draw_addressed<Addressing::any_size>(canvas);
         case Addressing::clamped: return draw_addressed<Addressing::clamped>(canvas);
     }
