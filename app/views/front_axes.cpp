@@ -19,6 +19,7 @@ constexpr double kLeast = 1e-15, kMost = 1e6;                 ///< the scale of 
 constexpr double kTimeMargin = 1.7;                           ///< beyond the fastest and the slowest point, as a factor
 constexpr float kShelf = 34, kTop = 24, kFrontAxesLine = 16;  ///< [px at 100 %]
 constexpr float kMostShelf = .2F;                             ///< of a low plot
+constexpr float kLeastLines = 1.15F;                          ///< from one line to the next, in letters' heights
 constexpr float kFaintGrid = .45F;
 
 [[nodiscard]] int decade_below(double value) { return static_cast<int>(std::floor(std::log10(value) + 1e-9)); }
@@ -41,7 +42,9 @@ float Scale::at(double value) const {
 Axes::Axes(ui::Ui& ui, const ui::Area& area, std::span<const FrontPoint* const> points) : ui_(ui), area_(area) {
     const float left =
         ui::text_width(ui.font(Face::code_note), "10") + ui::text_width(ui.font(Face::ruler), "-15") + ui.px(12);
-    const float top = ui.px(3 * kFrontAxesLine), bottom = ui.px(2 * kFrontAxesLine);
+    // In a hall letters grow more than all else does.
+    line_ = std::max(ui.px(kFrontAxesLine), kLeastLines * ui.font(Face::note).em);
+    const float top = std::max(ui.px(3 * kFrontAxesLine), 2.2F * line_), bottom = 2 * line_;
     plot_ = {area.x + left, area.y + top, area.w - left, area.h - top - bottom};
     shelf_ = std::min(ui.px(kShelf), kMostShelf * plot_.h);
     double least = 1, most = 1, fastest = 1e9, slowest = 0;
@@ -105,9 +108,9 @@ void Axes::draw_times() const {
                 const auto meets = [&](const ui::Area& other) { return !ui::intersection(at, other).empty(); };
                 if (at.right() > area_.right() + ui_.px(5) || std::any_of(taken.begin(), taken.end(), meets)) continue;
                 taken.push_back(at);
-                ui_.text(Face::code_note, {x - width / 2, plot_.bottom() + ui_.px(14)}, Role::muted, text);
+                ui_.text(Face::code_note, {x - width / 2, plot_.bottom() + .875F * line_}, Role::muted, text);
             }
-    ui_.text_right(Face::note, {plot_.right(), plot_.bottom() + ui_.px(28)}, Role::muted, kTime);
+    ui_.text_right(Face::note, {plot_.right(), plot_.bottom() + 1.75F * line_}, Role::muted, kTime);
 }
 
 void Axes::power(float right, float middle, int exponent) const {
@@ -122,7 +125,7 @@ void Axes::draw_errors() const {
     const ui::Theme& theme = ui_.theme();
     const int first = decade_below(error_.low), last = decade_above(error_.high);
     const float pitch = (error_.from - error_.to) / static_cast<float>(std::max(1, last - first));
-    const int every = std::max(1, static_cast<int>(std::ceil(ui_.px(18) / pitch)));
+    const int every = std::max(1, static_cast<int>(std::ceil(1.125F * line_ / pitch)));
     for (int exponent = first; exponent <= last; ++exponent) {
         const float y = std::round(error_.at(ten_to(exponent)));
         const bool labelled = exponent % every == 0;

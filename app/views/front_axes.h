@@ -37,6 +37,7 @@ private:
     ui::Ui& ui_;
     ui::Area area_, plot_;
     Scale time_, error_;
+    float line_ = 0;        ///< from one line of text to the next
     float shelf_ = 0;       ///< how high the place of no error is
     bool endless_ = false;  ///< some error is infinite
 };
