@@ -8,6 +8,7 @@
 
 #include "app/cli/json_line.h"
 #include "core/fast/raster.h"
+#include "core/fast/raster_texels.h"
 #include "core/image/packed.h"
 #include "core/scene/triangles_scene.h"
 
@@ -21,8 +22,7 @@ class FastRacer final : public BenchRacer {
 public:
     FastRacer(TrianglesFile file, const Image& texels, const RasterSettings& settings)
         : file_(std::move(file)),
-          texels_(packed(texels, texels.width() + kPadding)),
-          texture_{texels_.data(), texels.width(), texels.height(), Wrap::repeat, texels.width() + kPadding},
+          texels_(texels, Wrap::repeat),
           settings_(settings),
           pitch_(file_.width + kPadding),
           pixels_(static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(file_.height)),
@@ -34,9 +34,10 @@ public:
     }
     void draw() override {
         counters_ = {};
+        const RasterTexture texture = texels_.texture();
         const RasterJob job{.vertices = file_.vertices,
-                            .u_texels = texture_.width,
-                            .v_texels = texture_.height,
+                            .u_texels = texture.width,
+                            .v_texels = texture.height,
                             .perspective = file_.perspective,
                             .cull_back = file_.cull_back,
                             .depth = file_.depth};
@@ -45,7 +46,7 @@ public:
                                   .width = file_.width,
                                   .height = file_.height,
                                   .depth = depth_.data()};
-        texelscope::draw(target, texture_, job, settings_, counters_);
+        texelscope::draw(target, texture, job, settings_, counters_);
     }
     [[nodiscard]] Image picture() const override { return unpacked(pixels_.data(), pitch_, file_.width, file_.height); }
     [[nodiscard]] std::uint64_t samples() const override { return counters_.samples; }
@@ -56,6 +57,7 @@ public:
         for (const auto& [name, count] : {std::pair{"triangles", c.triangles},
                                           {"set up", c.drawn},
                                           {"refused", c.refused},
+                                          {"by blocks", c.by_blocks},
                                           {"slow", c.slow},
                                           {"samples", c.samples},
                                           {"crossings again", c.crossings},
@@ -69,8 +71,7 @@ public:
 
 private:
     TrianglesFile file_;
-    std::vector<std::uint32_t> texels_;
-    RasterTexture texture_;
+    RasterTexels texels_;
     RasterSettings settings_;
     int pitch_;
     std::vector<std::uint32_t> pixels_;

@@ -15,6 +15,7 @@
 #include "core/base/assert.h"
 #include "core/fast/bands.h"
 #include "core/fast/dispatch.h"
+#include "core/fast/raster_texels.h"
 #include "core/fast/triangles-inl.h"
 
 #if HWY_ONCE
@@ -68,8 +69,8 @@ RegisterTarget::RegisterTarget(std::int64_t bits, Loops loops) { targets().push_
 bool is_supported(SimdLevel level) { return find_loops(level) != nullptr; }
 
 RasterCounters& RasterCounters::operator+=(const RasterCounters& other) {
-    triangles += other.triangles, drawn += other.drawn, refused += other.refused, slow += other.slow,
-        samples += other.samples;
+    triangles += other.triangles, drawn += other.drawn, refused += other.refused, by_blocks += other.by_blocks,
+        slow += other.slow, samples += other.samples;
     crossings += other.crossings, in_double += other.in_double, in_whole += other.in_whole;
     for (std::size_t n = 0; n < skipped.size(); ++n) skipped[n] += other.skipped[n];
     return *this;
@@ -132,16 +133,6 @@ void draw_bands(const Canvas& whole, const Loops& loops) {
         for (const RasterCounters& one : *all_of) *whole.counters += one;
 }
 
-[[nodiscard]] std::vector<std::uint32_t> lit(const RasterTexture& texture, const ChannelTable& light) {
-    const int pitch = texture.pitch == 0 ? texture.width : texture.pitch;
-    const auto length = static_cast<std::size_t>(pitch) * static_cast<std::size_t>(texture.height - 1) +
-                        static_cast<std::size_t>(texture.width);
-    std::vector<std::uint32_t> texels(texture.texels, texture.texels + length);
-    for (std::uint32_t& t : texels)
-        t = light[t & 255] | light[t >> 8 & 255] << 8 | light[t >> 16 & 255] << 16 | (t & 0xFF000000U);
-    return texels;
-}
-
 }  // namespace
 
 void draw(const RasterTarget& target, const RasterTexture& texture, const RasterJob& job,
@@ -149,10 +140,9 @@ void draw(const RasterTarget& target, const RasterTexture& texture, const Raster
     TEXELSCOPE_ASSERT(is_supported(settings.level) && (!job.depth || target.depth != nullptr));
     TEXELSCOPE_ASSERT(settings.threads >= 1 && settings.threads <= kMaxRasterThreads);
     if (job.vertices.size() < 3 || target.width <= 0 || target.height <= 0) return;
-    std::vector<std::uint32_t> texels;
-    RasterTexture bright = texture;
-    if (job.light != nullptr) texels = lit(texture, *job.light), bright.texels = texels.data();
-    const Canvas canvas = canvas_of(target, bright, job, settings, counters);
+    RasterTexels lit;
+    if (job.light != nullptr) lit = RasterTexels(texture, job.light);
+    const Canvas canvas = canvas_of(target, job.light == nullptr ? texture : lit.texture(), job, settings, counters);
     const Loops& loops = *find_loops(settings.level);
     counters.triangles += static_cast<std::uint64_t>(canvas.triangles());
     if (settings.threads == 1) return draw_canvas(canvas, loops);

@@ -29,7 +29,10 @@ struct RasterTexture {
     Wrap wrap = Wrap::repeat;               ///< mask: both sizes are powers of two
     int pitch = 0;  ///< from one row to the next [texels]; 0: width. Rows a power of two of bytes apart share their
                     ///< places in the cache, which costs a third of the speed
+    int apron = 0;  ///< so many texels beyond the end of a row, and rows beyond the last, go on as the texture wraps.
+                    ///< With kTexelApron of them triangles are drawn faster; RasterTexels makes them
 };
+inline constexpr int kTexelApron = 8;
 
 /// What each value of a channel becomes under a light.
 using ChannelTable = std::array<std::uint32_t, 256>;
@@ -112,6 +115,7 @@ struct RasterCounters {
     std::uint64_t drawn = 0;      ///< set up
     std::uint64_t refused = 0;    ///< with a number that is not finite, or w <= 0 where that matters
     std::array<std::uint64_t, kRasterSkips.size()> skipped{};
+    std::uint64_t by_blocks = 0;  ///< triangles whose texels were looked up in patches (core/fast/blocks-inl.h)
     std::uint64_t slow = 0;       ///< triangles whose coordinates are not exact in double's differences
     std::uint64_t samples = 0;    ///< inside a triangle; those behind others count, too
     std::uint64_t crossings = 0;  ///< ends of rows decided again, in 128 bits

@@ -14,6 +14,7 @@
 #include <hwy/cache_control.h>
 
 #include "core/fast/affine-inl.h"
+#include "core/fast/blocks-inl.h"
 #include "core/fast/dispatch.h"
 #include "core/fast/perspective-inl.h"
 #include "core/fast/tiny-inl.h"
@@ -91,6 +92,7 @@ HWY_INLINE void flush(Batch& batch, int& count, const Canvas& canvas) {
     if (count == 0) return;
     for (int n = count; n < kBatch; ++n) batch.index.at[n] = batch.index.at[0];
     set_up(batch, canvas);
+    Blocked<kAddressing == Addressing::powers && !kDepth> blocks(batch, count, canvas);
     for (int t = 0; t < count; ++t) {
         ++canvas.counters->drawn;
         // Culled only here where the skip is off: it costs what it costs, and shows nothing.
@@ -98,7 +100,9 @@ HWY_INLINE void flush(Batch& batch, int& count, const Canvas& canvas) {
         if (RasterWatch* const watch = canvas.settings->watch)
             watch->u_doubt = batch.u.doubt.at[t] / texel_units(canvas, batch.u, t, canvas.texture.width),
             watch->v_doubt = batch.v.doubt.at[t] / texel_units(canvas, batch.v, t, canvas.texture.height);
-        if (batch.good.at[t] != 0)
+        if (blocks.has(t))
+            blocks.template draw<kCertain>(batch, t, canvas);
+        else if (batch.good.at[t] != 0)
             draw_triangle<kAddressing, kDepth, kCertain>(batch, t, canvas);
         else
             draw_slowly(batch.index.at[t], canvas);

@@ -120,7 +120,7 @@ const Rung* find_rung(std::string_view id) { return find_in(rungs(), id); }
 RungStage::RungStage(FrontScene scene)
     : scene_(std::move(scene)), picture_(scene_.frame.width(), scene_.frame.height()) {
     texture_.texels = make_pattern(Pattern::address, kFrontTexture, kFrontTexture, kMark);
-    texels_ = packed(texture_.texels, kFrontTexture + kPadding);
+    texels_ = RasterTexels(texture_.texels, Wrap::repeat);
     pixels_.resize(static_cast<std::size_t>(picture_.width() + kPadding) * static_cast<std::size_t>(picture_.height()));
     const std::vector<Vertex>& corners = scene_.vertices;
     perspective_ = std::any_of(corners.begin(), corners.end(), [&](const Vertex& c) { return c.w != corners[0].w; });
@@ -157,10 +157,9 @@ void RungStage::draw_fast(std::span<const Vertex> vertices) {
                               .height = height,
                               .x0 = scene_.frame.x0,
                               .y0 = scene_.frame.y0};
-    const RasterTexture texture{texels_.data(), kFrontTexture, kFrontTexture, Wrap::repeat, kFrontTexture + kPadding};
     const RasterJob job{.vertices = vertices, .perspective = perspective_};
     RasterCounters counters;
-    texelscope::draw(target, texture, job, {}, counters);
+    texelscope::draw(target, texels_.texture(), job, {}, counters);
 }
 
 void RungStage::draw(const Rung& rung) {

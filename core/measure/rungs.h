@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/fast/raster.h"
+#include "core/fast/raster_texels.h"
 #include "core/measure/bounds.h"
 #include "core/measure/front_scenes.h"
 #include "core/method/method.h"
@@ -67,7 +68,8 @@ private:
     Texture texture_;
     Image picture_;
     bool perspective_ = false;
-    std::vector<std::uint32_t> texels_, pixels_;  ///< fast's texture and target
+    RasterTexels texels_;                ///< fast's texture
+    std::vector<std::uint32_t> pixels_;  ///< and target
 };
 
 }  // namespace texelscope

@@ -19,11 +19,10 @@ SkipScene::SkipScene(const Scene& scene)
     textures_.reserve(scene.textures.size());
     for (const auto& texture : scene.textures) {
         const Image& texels = texture->texels;
-        Packed& own = textures_.emplace_back(Packed{packed(texels, texels.width() + kGap), {}});
         const auto power = [](int size) { return (size & (size - 1)) == 0; };
         const bool masks = texture->wrap == Wrap::mask && power(texels.width()) && power(texels.height());
         const Wrap wrap = texture->wrap == Wrap::mask && !masks ? Wrap::repeat : texture->wrap;
-        own.texture = {own.texels.data(), texels.width(), texels.height(), wrap, texels.width() + kGap};
+        textures_.emplace_back(texels, wrap);
     }
     for (const Polygon& polygon : scene.polygons) {
         if (!is_drawable(polygon)) continue;
@@ -57,7 +56,7 @@ RasterCounters SkipScene::draw(std::uint32_t skips) {
                             .perspective = true,
                             .cull_back = cull_,
                             .depth = depth_};
-        texelscope::draw(target, textures_[static_cast<std::size_t>(part.texture)].texture, job, {.skips = skips},
+        texelscope::draw(target, textures_[static_cast<std::size_t>(part.texture)].texture(), job, {.skips = skips},
                          counters);
     }
     return counters;

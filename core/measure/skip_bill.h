@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/fast/raster.h"
+#include "core/fast/raster_texels.h"
 #include "core/measure/race.h"
 #include "core/scene/scene.h"
 
@@ -37,14 +38,10 @@ private:
         int texture = 0;
         std::size_t first = 0, count = 0;  ///< of vertices_
     };
-    struct Packed {
-        std::vector<std::uint32_t> texels;
-        RasterTexture texture;
-    };
 
     Framebuffer frame_;
     bool depth_, cull_;
-    std::vector<Packed> textures_;
+    std::vector<RasterTexels> textures_;
     std::vector<Part> parts_;
     std::vector<Vertex> vertices_;
     std::vector<std::uint32_t> pixels_;

@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <tuple>
+#include <utility>
 
+#include "core/fast/raster_texels.h"
 #include "core/measure/stress_shapes.h"
 
 namespace texelscope {
@@ -47,18 +50,25 @@ private:
                                               shape.texture_width +
                                           wrap_index(texel.u, shape.texture_width, Wrap::repeat));
     }
+    /// Texels that are their own addresses.
+    [[nodiscard]] RasterTexture addresses(int width, int height) {
+        RasterTexels& texels = addresses_[{width, height}];
+        if (texels.texture().width == 0) {
+            std::vector<std::uint32_t> own(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+            std::iota(own.begin(), own.end(), 0U);
+            texels = RasterTexels({own.data(), width, height, Wrap::repeat});
+        }
+        return texels.texture();
+    }
     void draw_into(std::vector<std::uint32_t>& pixels, const Rect& frame, int width, int height,
                    std::span<const Vertex> vertices, RasterCounters& counters) {
-        while (addresses_.size() < static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
-            addresses_.push_back(static_cast<std::uint32_t>(addresses_.size()));
         draw({.pixels = pixels.data(),
               .pitch = pitch(frame),
               .width = frame.width(),
               .height = frame.height(),
               .x0 = frame.x0,
               .y0 = frame.y0},
-             {addresses_.data(), width, height, Wrap::repeat}, {.vertices = vertices, .perspective = perspective_}, {},
-             counters);
+             addresses(width, height), {.vertices = vertices, .perspective = perspective_}, {}, counters);
     }
 
     void triangle(const HardShape& shape, std::size_t n, Coverage& coverage) {
@@ -119,7 +129,8 @@ private:
 
     bool perspective_;
     StressRow* row_;
-    std::vector<std::uint32_t> pixels_, addresses_;  ///< pixels_: all kNone between two triangles
+    std::vector<std::uint32_t> pixels_;  ///< all kNone between two triangles
+    std::map<std::pair<int, int>, RasterTexels> addresses_;
     std::map<std::tuple<int, int, int, int, int, int>, Together> groups_;
 };
 

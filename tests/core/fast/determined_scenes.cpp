@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "core/fast/raster_texels.h"
 #include "core/measure/dice.h"
 #include "core/measure/workloads.h"
 #include "tests/core/fast/draw_exactly.h"
@@ -129,7 +130,8 @@ private:
     const std::vector<std::uint32_t> texels = texels_of(scene);
     const ChannelTable table = light();
     Picture picture;
-    paint(picture.target(), RasterTexture{texels.data(), scene.texture_width, scene.texture_height, scene.wrap},
+    const RasterTexels with_apron({texels.data(), scene.texture_width, scene.texture_height, scene.wrap});
+    paint(picture.target(), with_apron.texture(),
           RasterJob{.vertices = scene.vertices,
                     .u_texels = scene.texture_width,
                     .v_texels = scene.texture_height,

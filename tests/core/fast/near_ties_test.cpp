@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/fast/raster.h"
+#include "core/fast/raster_texels.h"
 #include "tests/core/fast/draw_exactly.h"
 
 namespace texelscope::near_ties_test {
@@ -49,11 +50,12 @@ std::vector<Shape> shapes() {
 
 /// Texels that are their own addresses.
 struct Addresses {
-    std::vector<std::uint32_t> texels;
+    RasterTexels texels;
     RasterTexture texture;
-    Addresses(int width, int height, Wrap wrap) : texels(static_cast<std::size_t>(width * height)) {
-        for (std::size_t n = 0; n < texels.size(); ++n) texels[n] = static_cast<std::uint32_t>(n);
-        texture = {texels.data(), width, height, wrap};
+    Addresses(int width, int height, Wrap wrap) {
+        std::vector<std::uint32_t> own(static_cast<std::size_t>(width * height));
+        for (std::size_t n = 0; n < own.size(); ++n) own[n] = static_cast<std::uint32_t>(n);
+        texels = RasterTexels({own.data(), width, height, wrap}), texture = texels.texture();
     }
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/fast/raster_texels.h"
 #include "core/measure/reference.h"
 #include "tests/core/fast/draw_exactly.h"
 #include "tests/core/method/cases.h"
@@ -16,14 +17,16 @@ namespace {
 constexpr int kWidth = 331, kHeight = 52, kPitch = 336;
 constexpr std::uint32_t kClear = 0xFFFFFFFF;
 
-/// Texels that are their own addresses.
+/// Texels that are their own addresses, without an apron and with one.
 struct Addresses {
     std::vector<std::uint32_t> texels;
     RasterTexture texture;
+    RasterTexels with_apron;
     Addresses(int width, int height, Wrap wrap, int pitch = 0)
         : texels(static_cast<std::size_t>(std::max(width, pitch) * height)) {
         for (std::size_t n = 0; n < texels.size(); ++n) texels[n] = static_cast<std::uint32_t>(n);
         texture = {texels.data(), width, height, wrap, pitch};
+        with_apron = RasterTexels(texture);
     }
 };
 
@@ -98,32 +101,41 @@ RasterJob job_of(std::span<const Vertex> vertices, const RasterTexture& texture)
     return {.vertices = vertices, .u_texels = texture.width, .v_texels = texture.height};
 }
 
-/// Each SIMD level must draw what is decided.
-void expect_exact(const RasterTexture& texture, const RasterJob& job, RasterCounters& counters, const std::string& what,
+void expect_same(const Picture& is, const Picture& expected, const std::string& what) {
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            const auto at = static_cast<std::size_t>(y * kPitch + x);
+            ASSERT_EQ(is.pixels[at], expected.pixels[at]) << "at " << x << ", " << y << ": " << what;
+            ASSERT_EQ(is.depth[at], expected.depth[at]) << "at " << x << ", " << y << ": " << what;
+        }
+    ASSERT_EQ(is, expected) << "beside the picture: " << what;
+}
+
+/// Each SIMD level must draw what is decided; with an apron, too.
+void expect_exact(const Addresses& texels, const RasterJob& job, RasterCounters& counters, const std::string& what,
                   Origin origin = {}) {
-    const Picture expected = decided(texture, job, origin);
+    const Picture expected = decided(texels.texture, job, origin);
     for (const SimdLevelInfo& level : kSimdLevels) {
         if (!is_supported(level.level)) continue;
-        const Picture is = drawn(texture, job, counters, {.level = level.level}, origin);
-        for (int y = 0; y < kHeight; ++y)
-            for (int x = 0; x < kWidth; ++x) {
-                const auto at = static_cast<std::size_t>(y * kPitch + x);
-                ASSERT_EQ(is.pixels[at], expected.pixels[at]) << level.id << " at " << x << ", " << y << ": " << what;
-                ASSERT_EQ(is.depth[at], expected.depth[at]) << level.id << " at " << x << ", " << y << ": " << what;
-            }
-        ASSERT_EQ(is, expected) << level.id << " beside the picture: " << what;
+        const RasterSettings settings{.level = level.level};
+        const std::string id(level.id);
+        expect_same(drawn(texels.texture, job, counters, settings, origin), expected, id + ": " + what);
+        if (testing::Test::HasFatalFailure()) return;
+        expect_same(drawn(texels.with_apron.texture(), job, counters, settings, origin), expected,
+                    id + " with an apron: " + what);
+        if (testing::Test::HasFatalFailure()) return;
     }
 }
 
 TEST(RasterEqualsExact, InEveryPixelOfRandomTriangles) {
     laws::Dice dice(1);
-    const RasterTexture& texture = textures()[0].texture;
+    const Addresses& texels = textures()[0];
     RasterCounters counters;
     for (int n = 0; n < 2400; ++n) {
         const auto corners = random_triangle(dice, n);
-        RasterJob job = job_of(corners, texture);
+        RasterJob job = job_of(corners, texels.texture);
         job.perspective = n % 2 == 0, job.cull_back = n % 7 == 0;
-        expect_exact(texture, job, counters, std::to_string(n) + ": " + text_of(corners));
+        expect_exact(texels, job, counters, std::to_string(n) + ": " + text_of(corners));
         if (HasFatalFailure()) return;
     }
     EXPECT_GT(counters.samples, 1000000U);
@@ -132,16 +144,54 @@ TEST(RasterEqualsExact, InEveryPixelOfRandomTriangles) {
     EXPECT_GT(counters.in_whole, 0U);
 }
 
+/// Triangles and textures as blocks are for: from magnified to somewhat more than a texel a pixel, turned, small
+/// textures that repeat within a triangle and large ones, samples on borders of texels, of rows and of the picture.
+TEST(RasterEqualsExact, ByBlocks) {
+    laws::Dice dice(11);
+    static const std::array<Addresses, 5> all{{{256, 256, Wrap::repeat},
+                                               {16, 16, Wrap::mask},
+                                               {64, 16, Wrap::repeat},
+                                               {16, 512, Wrap::mask},
+                                               {8, 8, Wrap::repeat}}};
+    RasterCounters counters;
+    for (int n = 0; n < 1500; ++n) {
+        const Addresses& texels = all[static_cast<std::size_t>(n % 5)];
+        std::vector<Vertex> vertices;
+        for (int k = dice.whole(1, 10); k-- > 0;) {
+            const float density = dice.within(.05F, 1.9F), angle = dice.within(0, 6.3F);
+            float along = density * std::cos(angle), across = density * std::sin(angle);
+            const bool ties = dice.often(.3);
+            if (ties)
+                along = static_cast<float>(dice.whole(-8, 8)) / 4, across = static_cast<float>(dice.whole(-4, 4)) / 4;
+            const float middle_x = dice.within(-20, kWidth + 20), middle_y = dice.within(-10, kHeight + 10);
+            const float size = dice.often(.5) ? 20 : 200;
+            for (int corner = 0; corner < 3; ++corner) {
+                Vertex c{middle_x + dice.within(-size, size), middle_y + dice.within(-size, size), 0, 1};
+                if (ties) c.x = std::floor(2 * c.x) / 2, c.y = std::floor(2 * c.y) / 2;
+                c.u = (along * c.x - across * c.y + 3000) / static_cast<float>(texels.texture.width);
+                c.v = (across * c.x + along * c.y - 3000) / static_cast<float>(texels.texture.height);
+                vertices.push_back(c);
+            }
+        }
+        RasterJob job = job_of(vertices, texels.texture);
+        job.cull_back = n % 7 == 0;
+        expect_exact(texels, job, counters, std::to_string(n));
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_TRUE(!is_supported(SimdLevel::avx512) || counters.by_blocks > 2000U) << counters.by_blocks;
+    EXPECT_GT(counters.in_double, 1000U);
+}
+
 TEST(RasterEqualsExact, WithTexturesOfAnySizeAndWrap) {
     laws::Dice dice(2);
     RasterCounters counters;
     for (int n = 0; n < 3000; ++n) {
         const auto corners = random_triangle(dice, n);
-        const RasterTexture& texture = textures()[static_cast<std::size_t>(dice.whole(1, 5))].texture;
-        RasterJob job = job_of(corners, texture);
+        const Addresses& texels = textures()[static_cast<std::size_t>(dice.whole(1, 5))];
+        RasterJob job = job_of(corners, texels.texture);
         job.perspective = n % 2 == 0;
         if (n % 3 == 0) job.u_texels = job.v_texels = dice.whole(1, 40);
-        expect_exact(texture, job, counters, std::to_string(n) + ": " + text_of(corners));
+        expect_exact(texels, job, counters, std::to_string(n) + ": " + text_of(corners));
         if (HasFatalFailure()) return;
     }
 }
@@ -161,11 +211,11 @@ TEST(RasterEqualsExact, WithDepthAndLight) {
                 for (Vertex& c : corners) c.z = .5F + static_cast<float>(dice.whole(0, 7)) * 0x1p-24F;
             vertices.insert(vertices.end(), corners.begin(), corners.end());
         }
-        const RasterTexture& texture = textures()[static_cast<std::size_t>(n % 6)].texture;
-        RasterJob job = job_of(vertices, texture);
+        const Addresses& texels = textures()[static_cast<std::size_t>(n % 6)];
+        RasterJob job = job_of(vertices, texels.texture);
         job.depth = n % 4 != 0, job.perspective = n % 2 == 0, job.cull_back = n % 5 == 0;
         if (n % 3 == 0) job.light = &light;
-        expect_exact(texture, job, counters, std::to_string(n));
+        expect_exact(texels, job, counters, std::to_string(n));
         if (HasFatalFailure()) return;
     }
     EXPECT_GT(counters.of(RasterSkip::hidden), 0U);
@@ -179,17 +229,17 @@ TEST(RasterEqualsExact, FarFromTheOrigin) {
         const Origin origin{dice.often(.5) ? far : -far, dice.whole(-5000, 5000)};
         auto corners = random_triangle(dice, n);
         for (Vertex& c : corners) c.x += static_cast<float>(origin.x), c.y += static_cast<float>(origin.y);
-        const RasterTexture& texture = textures()[static_cast<std::size_t>(n % 6)].texture;
-        RasterJob job = job_of(corners, texture);
+        const Addresses& texels = textures()[static_cast<std::size_t>(n % 6)];
+        RasterJob job = job_of(corners, texels.texture);
         job.perspective = n % 2 == 0;
-        expect_exact(texture, job, counters, std::to_string(n) + ": " + text_of(corners), origin);
+        expect_exact(texels, job, counters, std::to_string(n) + ": " + text_of(corners), origin);
         if (HasFatalFailure()) return;
     }
 }
 
 TEST(RasterEqualsExact, WhereManyTrianglesAreDrawnAtOnce) {
     laws::Dice dice(5);
-    const RasterTexture& texture = textures()[0].texture;
+    const Addresses& texels = textures()[0];
     RasterCounters counters;
     for (const int count : {1, 2, 7, 8, 9, 31, 500})
         for (const bool perspective : {false, true}) {
@@ -198,9 +248,9 @@ TEST(RasterEqualsExact, WhereManyTrianglesAreDrawnAtOnce) {
                 const auto corners = random_triangle(dice, n);
                 vertices.insert(vertices.end(), corners.begin(), corners.end());
             }
-            RasterJob job = job_of(vertices, texture);
+            RasterJob job = job_of(vertices, texels.texture);
             job.perspective = perspective;
-            expect_exact(texture, job, counters, std::to_string(count));
+            expect_exact(texels, job, counters, std::to_string(count));
             if (HasFatalFailure()) return;
         }
 }
@@ -226,7 +276,7 @@ TEST(RasterRefuses, WhatIsNotFiniteOrBehindTheEye) {
 
 TEST(RasterThreads, DrawTheSamePicture) {
     laws::Dice dice(7);
-    const RasterTexture& texture = textures()[0].texture;
+    const RasterTexture texture = textures()[0].with_apron.texture();
     std::vector<Vertex> vertices;
     for (int n = 0; n < 400; ++n) {
         const auto corners = random_triangle(dice, n);
@@ -249,7 +299,7 @@ TEST(RasterThreads, DrawTheSamePicture) {
 /// What is dropped or refused before bands are drawn counts once, whatever the number of threads.
 TEST(RasterThreads, LookAtEachTriangleOnce) {
     laws::Dice dice(9);
-    const RasterTexture& texture = textures()[0].texture;
+    const RasterTexture texture = textures()[0].with_apron.texture();
     std::vector<Vertex> vertices;
     for (int n = 0; n < 5000; ++n) {  // more than a thread takes at once
         auto corners = random_triangle(dice, n);
@@ -283,7 +333,7 @@ TEST(RasterThreads, LookAtEachTriangleOnce) {
 /// Any subset of the skips leaves the picture as it is.
 TEST(RasterSkips, ChangeNoPixel) {
     laws::Dice dice(6);
-    const RasterTexture& texture = textures()[0].texture;
+    const Addresses& texels = textures()[0];
     std::uint64_t level = 0, single = 0, floors = 0;
     for (int n = 0; n < 40; ++n) {
         std::vector<Vertex> vertices;
@@ -299,6 +349,7 @@ TEST(RasterSkips, ChangeNoPixel) {
             if (k % 11 == 0) corners[1].y = corners[0].y, corners[1].w = corners[0].w;  // a floor's
             vertices.insert(vertices.end(), corners.begin(), corners.end());
         }
+        const RasterTexture texture = n % 3 == 0 ? texels.texture : texels.with_apron.texture();
         RasterJob job = job_of(vertices, texture);
         job.depth = n % 2 == 0, job.perspective = n % 4 < 2, job.cull_back = true;
         RasterCounters with, without;

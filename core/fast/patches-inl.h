@@ -1,0 +1,77 @@
+// Blocks of 4 x 4 samples whose texels lie within a patch of 8 x 8 of the texture: it is loaded whole and looked up in
+// registers. AVX-512 alone has such a look-up.
+#if defined(TEXELSCOPE_PATCHES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TEXELSCOPE_PATCHES_INL
+#undef TEXELSCOPE_PATCHES_INL
+#else
+#define TEXELSCOPE_PATCHES_INL
+#endif
+
+#include "core/fast/simd-inl.h"
+
+#if HWY_TARGET <= HWY_AVX3
+
+HWY_BEFORE_NAMESPACE();
+namespace texelscope {
+namespace HWY_NAMESPACE {
+
+constexpr int kBlock = 4;      ///< samples from one side of a block to the other
+constexpr int kPatchBits = 3;  ///< log2 of the texels from one side of a patch to the other
+constexpr int kPatch = 1 << kPatchBits;
+
+using Block = hn::CappedTag<uint32_t, kBlock * kBlock>;  ///< row by row
+using Samples = hn::Vec<Block>;
+
+/// u and v of samples modulo a patch, as parts of 2^32, to the texels of the patch that begins at `patch`, its rows
+/// `pitch` apart.
+HWY_INLINE Samples look_up_patch(const uint32_t* patch, std::ptrdiff_t pitch, Samples u, Samples v) {
+    const Block p;
+    // 8 v + u: the instruction takes the lowest five bits, the sixth tells the upper half of the patch from the lower.
+    const __m512i place = hn::Or(hn::ShiftRight<32 - kPatchBits>(u),
+                                 hn::And(hn::ShiftRight<32 - 2 * kPatchBits>(v), hn::Set(p, kPatch * (kPatch - 1))))
+                              .raw;
+    const auto two_rows = [pitch](const uint32_t* row) HWY_ATTR {
+        const __m256i first = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(row));
+        const __m256i second = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(row + pitch));
+        return _mm512_inserti64x4(_mm512_castsi256_si512(first), second, 1);
+    };
+    const __m512i upper = _mm512_permutex2var_epi32(two_rows(patch), place, two_rows(patch + 2 * pitch));
+    const __m512i lower = _mm512_permutex2var_epi32(two_rows(patch + 4 * pitch), place, two_rows(patch + 6 * pitch));
+    return Samples{_mm512_mask_blend_epi32(_mm512_movepi32_mask(v.raw), upper, lower)};
+}
+
+HWY_INLINE void store_block(Samples texels, uint32_t* out, std::ptrdiff_t pitch) {
+    const auto store = [](uint32_t* to, __m128i row)
+                           HWY_ATTR { _mm_storeu_si128(reinterpret_cast<__m128i*>(to), row); };
+    store(out, _mm512_castsi512_si128(texels.raw));
+    store(out + pitch, _mm512_extracti32x4_epi32(texels.raw, 1));
+    store(out + 2 * pitch, _mm512_extracti32x4_epi32(texels.raw, 2));
+    store(out + 3 * pitch, _mm512_extracti32x4_epi32(texels.raw, 3));
+}
+
+// In words of the machine: of the compiler's own, GCC 12 carries masks through general registers, and makes one
+// instruction of an extraction and a store under a mask, three times as slow.
+
+HWY_INLINE __mmask16 load_mask(const uint16_t& bits) {
+    __mmask16 mask;
+    asm("kmovw %1, %0" : "=k"(mask) : "m"(bits));
+    return mask;
+}
+/// One row under the lowest bits of a mask.
+HWY_INLINE void store_row(uint32_t* to, __m128i row, __mmask16 inside) {
+    asm("vmovdqu32 %1, %0%{%2%}" : "+m"(*reinterpret_cast<uint32_t(*)[kBlock]>(to)) : "v"(row), "Yk"(inside));
+}
+/// The samples whose bits are set in `inside`.
+HWY_INLINE void store_block(Samples texels, __mmask16 inside, uint32_t* out, std::ptrdiff_t pitch) {
+    store_row(out, _mm512_castsi512_si128(texels.raw), inside);
+    store_row(out + pitch, _mm512_extracti32x4_epi32(texels.raw, 1), _kshiftri_mask16(inside, 4));
+    store_row(out + 2 * pitch, _mm512_extracti32x4_epi32(texels.raw, 2), _kshiftri_mask16(inside, 8));
+    store_row(out + 3 * pitch, _mm512_extracti32x4_epi32(texels.raw, 3), _kshiftri_mask16(inside, 12));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace texelscope
+HWY_AFTER_NAMESPACE();
+
+#endif
+#endif
