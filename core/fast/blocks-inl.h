@@ -44,7 +44,9 @@ using RowNumbers = hn::Vec<BlockInt>;  ///< of each of kRows rows
 HWY_INLINE bool has_patches(const Batch& b, int t, const Canvas& canvas) {
     const auto fits = [&](const CoordinateEight& u, int bits) {
         const double spread = (std::abs(u.plane.x.at[t]) + std::abs(u.plane.y.at[t])) * (kBlock - 1);
-        return bits > kPatchBits && spread <= (kPatch - 1.5) * static_cast<double>(int64_t{1} << (32 - bits));
+        // A patch is 2^32 parts. In double they are whole up to 2^51: 24 half ulps of 2^45 are 2^-3.
+        const double texel = static_cast<double>(int64_t{1} << (32 - bits)), parts = 0x1p29 / texel;
+        return bits > kPatchBits && u.unsure.at[t] * parts < .125 && spread <= (kPatch - 1.5) * texel;
     };
     return fits(b.u, canvas.u_bits) && fits(b.v, canvas.v_bits);
 }
@@ -60,56 +62,87 @@ HWY_INLINE bool is_by_blocks(const Batch& b, int t, const Canvas& canvas) {
 HWY_INLINE Samples place_of_lane() { return hn::And(hn::Iota(Block{}, 0), hn::Set(Block{}, kBlock - 1)); }
 HWY_INLINE Samples four_of_lane() { return hn::ShiftRight<2>(hn::Iota(Block{}, 0)); }
 
-/// u or v of one triangle's blocks.
+/// The low 32 bits of whole numbers.
+HWY_INLINE Samples low_bits_of(V low, V high) {
+    const hn::Half<Block> half;
+    const hn::Repartition<uint64_t, Real> bits;
+    return hn::Combine(Block{}, hn::TruncateTo(half, hn::BitCast(bits, high)),
+                       hn::TruncateTo(half, hn::BitCast(bits, low)));
+}
+/// Two vectors of double, for sixteen lanes.
+struct Doubles {
+    V low, high;
+};
+HWY_INLINE Doubles promote(Samples a) {
+    const hn::Half<BlockInt> half;
+    const auto s = hn::BitCast(BlockInt{}, a);
+    return {hn::PromoteTo(Real{}, hn::LowerHalf(half, s)), hn::PromoteTo(Real{}, hn::UpperHalf(half, s))};
+}
+
+/// u or v of one triangle's blocks. They are counted in units of Canvas::addressing, and modulo a patch in parts of
+/// 2^32, which are finer: what rounding to whole ones loses is hardly ever in doubt.
 struct BlockAxis {
-    int shift, up;        ///< of units to texels; of units to the top of 32, modulo a patch
-    uint32_t across;      ///< from a block to the next [units]
-    uint32_t to_least;    ///< from a block's first sample to where none is at less [units]
+    int shift;            ///< of units to texels
+    double parts;         ///< in a unit
+    double to_least;      ///< from a block's first sample to where none is at less [units]
+    double bias;          ///< Certain::bias [units]
     uint32_t least_rest;  ///< Certain::least
-    Samples lanes;        ///< of each sample from there, modulo a patch; the lowest bit is set
+    Samples lanes;        ///< of each sample from there [parts]; the lowest bit is set
     Samples tested;       ///< if one of these bits is set, the texel is certain
 
     HWY_INLINE void set_up(const CoordinateEight& u, int t, int bits) {
         const Block p;
-        shift = 32 - bits, up = bits - kPatchBits;
-        const auto step = static_cast<uint32_t>(u.step.at[t]), down = static_cast<uint32_t>(u.down.at[t]);
-        const auto least = [](int32_t a) { return a < 0 ? static_cast<uint32_t>(a) * (kBlock - 1) : 0; };
-        across = step * kBlock;
+        shift = 32 - bits, parts = static_cast<double>(int64_t{1} << (bits - kPatchBits));
+        const double x = u.plane.x.at[t], y = u.plane.y.at[t];
         // A quarter of a texel less: the doubts of both.
-        to_least = least(u.step.at[t]) + least(u.down.at[t]) - (1U << (shift - 2));
-        const auto at = hn::Add(hn::Mul(place_of_lane(), hn::Set(p, step)), hn::Mul(four_of_lane(), hn::Set(p, down)));
-        lanes = hn::Or(hn::ShiftLeftSame(hn::Sub(at, hn::Set(p, to_least)), up), hn::Set(p, 1));
+        to_least =
+            (std::min(x, 0.0) + std::min(y, 0.0)) * (kBlock - 1) - static_cast<double>(int64_t{1} << (shift - 2));
+        const auto in_parts = [&](double a) HWY_ATTR {
+            return hn::Set(p, static_cast<uint32_t>(std::bit_cast<uint64_t>(a * parts + kWholeDouble)));
+        };
+        const auto right = hn::Mul(place_of_lane(), in_parts(x)), down = hn::Mul(four_of_lane(), in_parts(y));
+        lanes = hn::Or(hn::Add(hn::Add(right, down), in_parts(-to_least)), hn::Set(p, 1));
     }
-    /// The certificate asks for no more than Certain::least, rounded up to a power of two: for nothing but the lowest
-    /// bit where that is 0.
-    HWY_INLINE void test(const Certain& certain) {
-        least_rest = certain.least;
+    /// @param unsure    bound of what double has lost [units]
+    /// @param half_gap  as Certainty has it [units]
+    HWY_INLINE void use(double unsure, double half_gap) {
+        const One d;
+        // What is rounded to whole parts: a block's least, how far its first sample is from there, that by its lowest
+        // bit, too, and three steps each to the right and down.
+        const Certainty<One> c(d, hn::Set(d, unsure * parts + 6), hn::Set(d, half_gap * parts),
+                               hn::Set(d, 0x1p32 / kPatch), hn::Set(d, kPatch));
+        bias = hn::GetLane(c.bias) * (1 / parts), least_rest = static_cast<uint32_t>(hn::GetLane(c.least));
+        // The certificate asks for no more than that, rounded up to a power of two: for nothing but the lowest bit
+        // where it is 0.
         const uint32_t doubtful = std::bit_ceil(std::max(2U, (least_rest >> kPatchBits) + 1));
         tested = hn::Set(Block{}, least_rest == 0 ? 1 : kInTexel & ~(doubtful - 1));
     }
     /// Samples of a block that are in doubt.
     [[nodiscard]] HWY_INLINE uint32_t unsure(uint32_t block) const {
         const Block p;
-        const auto rest = hn::ShiftLeft<kPatchBits>(hn::AndNot(hn::Set(p, 1), hn::Add(hn::Set(p, block), lanes)));
+        const auto rest = hn::ShiftLeft<kPatchBits>(hn::Add(hn::Set(p, block), lanes));
         return bits_of(p, hn::Lt(rest, hn::Set(p, least_rest)));
     }
+    [[nodiscard]] HWY_INLINE bool sure() const { return least_rest == 0; }
 };
 
 /// u and v of one triangle's blocks.
 struct BlockAxes {
-    CertainPair certain;
     BlockAxis u, v;
 
     HWY_INLINE void set_up(const Batch& b, int t, const Canvas& canvas) {
         u.set_up(b.u, t, canvas.u_bits), v.set_up(b.v, t, canvas.v_bits);
-        use(certain_of(b, t));
+        use(b, t, {});
     }
-    HWY_INLINE void use(const CertainPair& c) { certain = c, u.test(c.u), v.test(c.v); }
+    HWY_INLINE void use(const Batch& b, int t, const HalfGaps& gaps) {
+        u.use(b.u.unsure.at[t], gaps.u), v.use(b.v.unsure.at[t], gaps.v);
+    }
+    [[nodiscard]] HWY_INLINE bool sure() const { return u.sure() && v.sure(); }
 };
 
 /// The blocks of a window, ready to be drawn: those of even places in their strips, then those of odd ones.
 struct Blocks {
-    alignas(64) uint32_t u[kBlocks], v[kBlocks];  ///< where they are least, modulo a patch, without the texel's bits
+    alignas(64) uint32_t u[kBlocks], v[kBlocks];  ///< from the patch to where they are least [parts]
     alignas(64) uint32_t texel[kBlocks];          ///< the patch' first
     alignas(64) uint32_t out[kBlocks];            ///< the first pixel, from the first of `row`
     alignas(64) uint16_t inside[kBlocks];         ///< bit n: sample n is
@@ -140,10 +173,14 @@ public:
         const auto x = hn::Add(left, hn::ShiftLeft<3>(hn::BitCast(s, place_of_lane())));
         const auto strip = hn::ShiftLeft<2>(hn::BitCast(s, four_of_lane()));
         out_ = hn::BitCast(p, hn::Add(hn::Mul(strip, hn::Set(s, static_cast<int32_t>(canvas.target.pitch))), x));
-        const auto right = hn::Sub(x, hn::Set(s, b.column0.at[t]));
-        const auto down = hn::Add(strip, hn::Set(s, row - b.row0.at[t]));
-        u_ = hn::Add(at(b.u, t, right, down, axes.certain.u.bias), hn::Set(p, axes.u.to_least));
-        v_ = hn::Add(at(b.v, t, right, down, axes.certain.v.bias), hn::Set(p, axes.v.to_least));
+        right_ = promote(hn::BitCast(p, hn::Sub(x, hn::Set(s, b.column0.at[t]))));
+        const Doubles down = promote(hn::BitCast(p, hn::Add(strip, hn::Set(s, row - b.row0.at[t]))));
+        const auto start = [&](const CoordinateEight& u, const BlockAxis& axis, Doubles& at) HWY_ATTR {
+            const Real d;
+            const V first = hn::Set(d, u.plane.at.at[t] + (axis.bias + axis.to_least)), y = hn::Set(d, u.plane.y.at[t]);
+            at = {hn::MulAdd(down.low, y, first), hn::MulAdd(down.high, y, first)};
+        };
+        start(b.u, axes.u, u_), start(b.v, axes.v, v_);
         row_ = row;
     }
 
@@ -163,13 +200,14 @@ public:
                        odd = store_inside(hn::ShiftRight<kBlock>(columns), kHalf, blocks, wholes);
         blocks.wholes = b.widest.at[t] < kLeastWhole ? 0 : wholes;
         blocks.parts = (even | odd << kHalf) & ~blocks.wholes;
-        store(canvas, axes, u_, v_, 0, blocks);
-        store(canvas, axes, hn::Add(u_, hn::Set(p, axes.u.across)), hn::Add(v_, hn::Set(p, axes.v.across)), kHalf,
-              blocks);
+        const V half = hn::Set(Real{}, kBlock);
+        store(b, t, canvas, axes, right_, 0, blocks);
+        store(b, t, canvas, axes, {hn::Add(right_.low, half), hn::Add(right_.high, half)}, kHalf, blocks);
         hn::Store(out_, p, blocks.out), hn::Store(hn::Add(out_, hn::Set(p, kBlock)), p, blocks.out + kHalf);
         blocks.row = row_, blocks.samples = columns_ <= kWindowWidth ? samples_ : 0;
 
-        u_ = hn::Add(u_, hn::Set(p, axes.u.across * kWindow)), v_ = hn::Add(v_, hn::Set(p, axes.v.across * kWindow));
+        const V wide = hn::Set(Real{}, kWindowWidth);
+        right_ = {hn::Add(right_.low, wide), hn::Add(right_.high, wide)};
         out_ = hn::Add(out_, hn::Set(p, kWindowWidth));
         first_ = hn::Sub(first_, hn::Set(s, kWindowWidth)), end_ = hn::Sub(end_, hn::Set(s, kWindowWidth));
         columns_ -= kWindowWidth;
@@ -181,22 +219,6 @@ private:
 
     [[nodiscard]] static HWY_INLINE RowNumbers load(const OfRows<int32_t>& rows) {
         return hn::Combine(BlockInt{}, hn::Load(HalfInt{}, rows.at + kRows / 2), hn::Load(HalfInt{}, rows.at));
-    }
-    [[nodiscard]] static HWY_INLINE hn::Vec<hn::Half<Block>> half_at(const CoordinateEight& u, int t,
-                                                                     hn::Vec<HalfInt> right, hn::Vec<HalfInt> down,
-                                                                     double bias) {
-        const Real d;
-        const V at = plane_at(d, u.plane, t, hn::PromoteTo(d, right), hn::PromoteTo(d, down));
-        const V whole = hn::Add(hn::Add(at, hn::Set(d, bias)), hn::Set(d, kWholeDouble));
-        return hn::TruncateTo(hn::Half<Block>(), hn::BitCast(hn::Repartition<uint64_t, Real>{}, whole));
-    }
-    /// u at some pixels of the box, moved by `bias` [units]. From there steps of whole units lose up to half of one
-    /// each: up to three down a block, and one for each column.
-    [[nodiscard]] static HWY_INLINE Samples at(const CoordinateEight& u, int t, RowNumbers right, RowNumbers down,
-                                               double bias) {
-        const HalfInt half;
-        const auto low = half_at(u, t, hn::LowerHalf(half, right), hn::LowerHalf(half, down), bias);
-        return hn::Combine(Block{}, half_at(u, t, hn::UpperHalf(half, right), hn::UpperHalf(half, down), bias), low);
     }
     /// The lowest n bits: all where n is 32 or more, none below 0.
     [[nodiscard]] static HWY_INLINE Samples below(RowNumbers n) {
@@ -220,21 +242,32 @@ private:
         wholes |= bits_of(p, hn::Eq(inside, hn::Set(p, 0xFFFF))) << first;
         return bits_of(p, hn::Ne(inside, hn::Zero(p)));
     }
-    static HWY_INLINE void store(const Canvas& canvas, const BlockAxes& axes, Samples u, Samples v, int first,
-                                 Blocks& blocks) {
+    /// u or v of 16 blocks in parts from the patch on; its first texel.
+    static HWY_INLINE Samples locate(const CoordinateEight& u, int t, const BlockAxis& axis, const Doubles& at,
+                                     const Doubles& right, uint32_t* from_patch) {
+        const Real d;
+        const V x = hn::Set(d, u.plane.x.at[t]), whole = hn::Set(d, kWholeDouble), parts = hn::Set(d, axis.parts);
+        const V low = hn::MulAdd(right.low, x, at.low), high = hn::MulAdd(right.high, x, at.high);
+        const auto texel = hn::ShiftRightSame(low_bits_of(hn::Add(low, whole), hn::Add(high, whole)), axis.shift);
+        const auto in_parts = low_bits_of(hn::MulAdd(low, parts, whole), hn::MulAdd(high, parts, whole));
+        hn::Store(hn::Sub(in_parts, hn::ShiftLeft<32 - kPatchBits>(texel)), Block{}, from_patch);
+        return texel;
+    }
+    HWY_INLINE void store(const Batch& b, int t, const Canvas& canvas, const BlockAxes& axes, const Doubles& right,
+                          int first, Blocks& blocks) const {
         const Block p;
+        const auto u = locate(b.u, t, axes.u, u_, right, blocks.u + first),
+                   v = locate(b.v, t, axes.v, v_, right, blocks.v + first);
         const auto pitch = hn::Set(p, static_cast<uint32_t>(canvas.texture.pitch));
-        const auto row = hn::Mul(hn::ShiftRightSame(v, axes.v.shift), pitch);
-        hn::Store(hn::Add(row, hn::ShiftRightSame(u, axes.u.shift)), p, blocks.texel + first);
-        const auto in_texel = [](Samples a, int up)
-                                  HWY_ATTR { return hn::And(hn::ShiftLeftSame(a, up), hn::Set(Block{}, kInTexel)); };
-        hn::Store(in_texel(u, axes.u.up), p, blocks.u + first), hn::Store(in_texel(v, axes.v.up), p, blocks.v + first);
+        hn::Store(hn::Add(hn::Mul(v, pitch), u), p, blocks.texel + first);
     }
 
     int row_, columns_;       ///< the first of the strips; columns to come
     uint32_t samples_;        ///< in the strips
     RowNumbers first_, end_;  ///< columns of the window that are inside
-    Samples u_, v_, out_;     ///< of each strip's blocks 0, 2, 4 and 6
+    Samples out_;             ///< of each strip's blocks 0, 2, 4 and 6
+    Doubles right_;           ///< their columns of the box
+    Doubles u_, v_;           ///< at column 0 of their rows, moved to the least of a block and by the bias [units]
 };
 
 /// Draws the blocks whose bits are set. False: some of their texels are unsure.
@@ -264,8 +297,9 @@ HWY_INLINE bool put_blocks(const Blocks& blocks, uint32_t which, const BlockAxes
     return unsure == 0;
 }
 
-/// The unsure texels of some blocks. Returns as mend() does.
-HWY_NOINLINE bool blocks_again(const Blocks& blocks, const BlockAxes& axes, Again& again, bool only_double,
+/// The unsure texels of some blocks. Returns as mend() does; false with `only_double` also where the rows so far have
+/// so many that the triangle had better be drawn otherwise.
+HWY_NOINLINE bool blocks_again(const Blocks& blocks, const BlockAxes& axes, Again& again, bool only_double, int rows,
                                const Canvas& canvas) {
     const auto pitch = static_cast<uint32_t>(canvas.target.pitch);
     for (uint32_t which = blocks.parts | blocks.wholes; which != 0; which &= which - 1) {
@@ -278,7 +312,7 @@ HWY_NOINLINE bool blocks_again(const Blocks& blocks, const BlockAxes& axes, Agai
             uint32_t& pixel = canvas.target.pixels[y * canvas.target.pitch + x];
             if (!only_double)
                 pixel = again.texel(x, y);
-            else if (!again.texel_in_double(x, y, pixel))
+            else if (!again.texel_in_double(x, y, pixel) || again.often(rows))
                 return false;
         }
     }
@@ -324,19 +358,14 @@ HWY_NOINLINE void draw_blocks(const Batch& b, int t, const Canvas& canvas, Block
         const int row = now->row;
         if (sure || !kCertain) {
             samples += now->samples;
-        } else if (blocks_again(*now, axes, again, !ties_known, canvas)) {
+        } else if (blocks_again(*now, axes, again, !ties_known, row + kRows - b.row0.at[t], canvas)) {
             samples += now->samples;
-            if (now->samples != 0 && more && again.often(row + kRows - b.row0.at[t]) &&
-                draw_finely<false, Addressing::powers, false>(b, t, row + kRows, again, canvas, samples))
-                break;
         } else {
             // As in draw_rows: these strips once more, past all ties.
-            axes.use(certain_of(canvas, b, t, b.u.doubt.at[t], b.v.doubt.at[t], again.half_gaps()));
+            axes.use(b, t, again.half_gaps());
             ties_known = true;
             forget_strips(b, t, row, canvas);
-            if (!axes.certain.sure() &&
-                draw_finely<false, Addressing::powers, false>(b, t, row, again, canvas, samples))
-                break;
+            if (!axes.sure() && draw_finely<false, Addressing::powers, false>(b, t, row, again, canvas, samples)) break;
             drawing.windows.go_to(b, t, canvas, axes, row);
             more = drawing.windows.next(b, t, canvas, axes, *next);
         }
