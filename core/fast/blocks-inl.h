@@ -111,7 +111,8 @@ struct BlockAxis {
         // bit, too, and three steps each to the right and down.
         const Certainty<One> c(d, hn::Set(d, unsure * parts + 6), hn::Set(d, half_gap * parts),
                                hn::Set(d, 0x1p32 / kPatch), hn::Set(d, kPatch));
-        bias = hn::GetLane(c.bias) * (1 / parts), least_rest = static_cast<uint32_t>(hn::GetLane(c.least));
+        bias = hn::GetLane(c.bias) * static_cast<double>(int64_t{1} << shift) * (kPatch * 0x1p-32),
+        least_rest = static_cast<uint32_t>(hn::GetLane(c.least));
         // The certificate asks for no more than that, rounded up to a power of two: for nothing but the lowest bit
         // where it is 0.
         const uint32_t doubtful = std::bit_ceil(std::max(2U, (least_rest >> kPatchBits) + 1));
@@ -151,16 +152,25 @@ struct Blocks {
     uint32_t samples;  ///< of the strips if these are their last blocks, else 0
 };
 
+HWY_INLINE void cross_strips(const Batch& b, int t, const Canvas& canvas, int row, Rows& rows) {
+    const int count = std::min(kRows, b.row1.at[t] - row);
+    cross(b, t, row, count, {b.column0.at[t], b.column1.at[t]}, canvas, rows);
+}
+
 /// All blocks of a triangle, one window after another.
 class BlockWindows {
 public:
     /// Goes to the strips from `row` on.
     HWY_INLINE void go_to(const Batch& b, int t, const Canvas& canvas, const BlockAxes& axes, int row) {
+        Rows rows;
+        cross_strips(b, t, canvas, row, rows);
+        go_to(b, t, canvas, axes, row, rows);
+    }
+    HWY_INLINE void go_to(const Batch& b, int t, const Canvas& canvas, const BlockAxes& axes, int row,
+                          const Rows& rows) {
         const Block p;
         const BlockInt s;
         const int count = std::min(kRows, b.row1.at[t] - row);
-        Rows rows;
-        cross(b, t, row, count, {b.column0.at[t], b.column1.at[t]}, canvas, rows);
         const auto x0 = load(rows.x0), x1 = load(rows.x1);
         const auto there = hn::And(hn::Lt(x0, x1), hn::FirstN(s, static_cast<size_t>(count)));
         auto left = hn::IfThenElse(there, x0, hn::Set(s, INT32_MAX));
@@ -337,9 +347,8 @@ struct BlockDrawing {
 HWY_NOINLINE void forget_strips(const Batch& b, int t, int row, const Canvas& canvas) {
     if (canvas.settings->watch == nullptr) return;
     Rows rows;
-    const int count = std::min(kRows, b.row1.at[t] - row);
-    cross(b, t, row, count, {b.column0.at[t], b.column1.at[t]}, canvas, rows);
-    forget(canvas, row, count, rows);
+    cross_strips(b, t, canvas, row, rows);
+    forget(canvas, row, std::min(kRows, b.row1.at[t] - row), rows);
 }
 
 template <bool kCertain>
@@ -388,10 +397,22 @@ public:
     }
 
 private:
+    /// One step of all after another: each is a chain of few instructions that wait for each other.
     HWY_NOINLINE void find(const Batch& b, int count, const Canvas& canvas) {
         for (int t = 0; t < count; ++t)
-            if ((b.front.at[t] != 0 || !canvas.job->cull_back) && is_by_blocks(b, t, canvas))
-                which_ |= 1U << t, drawings_[t].set_up(b, t, canvas);
+            if ((b.front.at[t] != 0 || !canvas.job->cull_back) && is_by_blocks(b, t, canvas)) which_ |= 1U << t;
+        const auto each = [&](auto&& step) HWY_ATTR {
+            for (uint32_t m = which_; m != 0; m &= m - 1) step(std::countr_zero(m));
+        };
+        each([&](int t) HWY_ATTR { drawings_[t].axes.set_up(b, t, canvas); });
+        Rows rows[kBatch];
+        each([&](int t) HWY_ATTR { cross_strips(b, t, canvas, b.row0.at[t], rows[t]); });
+        each([&](int t)
+                 HWY_ATTR { drawings_[t].windows.go_to(b, t, canvas, drawings_[t].axes, b.row0.at[t], rows[t]); });
+        each([&](int t) HWY_ATTR {
+            BlockDrawing& d = drawings_[t];
+            d.more = d.windows.next(b, t, canvas, d.axes, d.first);
+        });
     }
 
     uint32_t which_ = 0;
