@@ -152,6 +152,7 @@ struct Blocks {
     uint32_t samples;  ///< of the strips if these are their last blocks, else 0
 };
 
+/// The rows of the strips from `row` on.
 HWY_INLINE void cross_strips(const Batch& b, int t, const Canvas& canvas, int row, Rows& rows) {
     const int count = std::min(kRows, b.row1.at[t] - row);
     cross(b, t, row, count, {b.column0.at[t], b.column1.at[t]}, canvas, rows);
@@ -335,12 +336,6 @@ struct BlockDrawing {
     BlockWindows windows;
     Blocks first;
     bool more;  ///< there are such
-
-    HWY_INLINE void set_up(const Batch& b, int t, const Canvas& canvas) {
-        axes.set_up(b, t, canvas);
-        windows.go_to(b, t, canvas, axes, b.row0.at[t]);
-        more = windows.next(b, t, canvas, axes, first);
-    }
 };
 
 /// The rows of strips from `row` on are drawn once more.
