@@ -31,6 +31,8 @@ constexpr int kWindowWidth = kBlock * kWindow, kBlocks = kRows / kBlock * kWindo
 /// measured [px].
 constexpr int kLeastWide = 9, kLeastWhole = 56;
 
+/// A patch is 2^32 parts.
+constexpr double kPartsInTexel = 0x1p32 / kPatch;
 /// What follows the texel's bits, modulo a patch.
 constexpr uint32_t kInTexel = ~0U >> kPatchBits;
 
@@ -44,8 +46,8 @@ using RowNumbers = hn::Vec<BlockInt>;  ///< of each of kRows rows
 HWY_INLINE bool has_patches(const Batch& b, int t, const Canvas& canvas) {
     const auto fits = [&](const CoordinateEight& u, int bits) {
         const double spread = (std::abs(u.plane.x.at[t]) + std::abs(u.plane.y.at[t])) * (kBlock - 1);
-        // A patch is 2^32 parts. In double they are whole up to 2^51: 24 half ulps of 2^45 are 2^-3.
-        const double texel = static_cast<double>(int64_t{1} << (32 - bits)), parts = 0x1p29 / texel;
+        // In double parts are whole up to 2^51: 24 half ulps of 2^45 are 2^-3.
+        const double texel = static_cast<double>(int64_t{1} << (32 - bits)), parts = kPartsInTexel / texel;
         return bits > kPatchBits && u.unsure.at[t] * parts < .125 && spread <= (kPatch - 1.5) * texel;
     };
     return fits(b.u, canvas.u_bits) && fits(b.v, canvas.v_bits);
@@ -110,8 +112,8 @@ struct BlockAxis {
         // What is rounded to whole parts: a block's least, how far its first sample is from there, that by its lowest
         // bit, too, and three steps each to the right and down.
         const Certainty<One> c(d, hn::Set(d, unsure * parts + 6), hn::Set(d, half_gap * parts),
-                               hn::Set(d, 0x1p32 / kPatch), hn::Set(d, kPatch));
-        bias = hn::GetLane(c.bias) * static_cast<double>(int64_t{1} << shift) * (kPatch * 0x1p-32),
+                               hn::Set(d, kPartsInTexel), hn::Set(d, kPatch));
+        bias = hn::GetLane(c.bias) * static_cast<double>(int64_t{1} << shift) * (1 / kPartsInTexel);
         least_rest = static_cast<uint32_t>(hn::GetLane(c.least));
         // The certificate asks for no more than that, rounded up to a power of two: for nothing but the lowest bit
         // where it is 0.
@@ -320,11 +322,7 @@ HWY_NOINLINE bool blocks_again(const Blocks& blocks, const BlockAxes& axes, Agai
             const int sample = std::countr_zero(asked);
             const int x = static_cast<int>(blocks.out[n] % pitch) + sample % kBlock;
             const int y = blocks.row + static_cast<int>(blocks.out[n] / pitch) + sample / kBlock;
-            uint32_t& pixel = canvas.target.pixels[y * canvas.target.pitch + x];
-            if (!only_double)
-                pixel = again.texel(x, y);
-            else if (!again.texel_in_double(x, y, pixel) || again.often(rows))
-                return false;
+            if (!mend_pixel(again, x, y, only_double, canvas) || (only_double && again.often(rows))) return false;
         }
     }
     return true;

@@ -18,18 +18,20 @@ HWY_BEFORE_NAMESPACE();
 namespace texelscope {
 namespace HWY_NAMESPACE {
 
-/// Pixels [x, x + lanes) of a row, some of which are unsure. False: double cannot tell one of them, and `only_double`.
+/// The unsure texel of the target's pixel (x, y). False: double cannot tell it, and `only_double`.
+HWY_INLINE bool mend_pixel(Again& again, int x, int y, bool only_double, const Canvas& canvas) {
+    uint32_t& pixel = canvas.target.pixels[y * canvas.target.pitch + x];
+    if (only_double) return again.texel_in_double(x, y, pixel);
+    pixel = again.texel(x, y);
+    return true;
+}
+
+/// The same for those of pixels [x, x + lanes) of a row that are unsure.
 template <class Tag>
 HWY_NOINLINE bool mend(Tag p, Again& again, int x, int y, hn::Mask<Tag> unsure, bool only_double,
                        const Canvas& canvas) {
-    uint32_t* const line = canvas.target.pixels + y * canvas.target.pitch;
-    for (uint32_t m = bits_of(p, unsure); m != 0; m &= m - 1) {
-        const int at = x + std::countr_zero(m);
-        if (!only_double)
-            line[at] = again.texel(at, y);
-        else if (!again.texel_in_double(at, y, line[at]))
-            return false;
-    }
+    for (uint32_t m = bits_of(p, unsure); m != 0; m &= m - 1)
+        if (!mend_pixel(again, x + std::countr_zero(m), y, only_double, canvas)) return false;
     return true;
 }
 
