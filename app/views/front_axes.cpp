@@ -21,6 +21,8 @@ constexpr float kShelf = 34, kTop = 24, kFrontAxesLine = 16;  ///< [px at 100 %]
 constexpr float kMostShelf = .2F;                             ///< of a low plot
 constexpr float kLeastLines = 1.15F;                          ///< from one line to the next, in letters' heights
 constexpr float kFaintGrid = .45F;
+constexpr float kCapitals = .75F;  ///< their height in letters' heights
+constexpr float kRoundMark = 14;   ///< from a mark's middle to text beside it, at least [px at 100 %]
 
 [[nodiscard]] int decade_below(double value) { return static_cast<int>(std::floor(std::log10(value) + 1e-9)); }
 [[nodiscard]] int decade_above(double value) { return static_cast<int>(std::ceil(std::log10(value) - 1e-9)); }
@@ -58,6 +60,11 @@ Axes::Axes(ui::Ui& ui, const ui::Area& area, std::span<const FrontPoint* const> 
     time_ = {fastest / kTimeMargin, slowest * kTimeMargin, plot_.x, plot_.right()};
     error_ = {std::max(ten_to(decade_below(least)), kLeast), std::clamp(ten_to(decade_above(most * 1.01)), 10.0, kMost),
               plot_.bottom() - shelf_ - ui.px(8), plot_.y + (endless_ ? ui.px(kTop) : 0.0F)};
+    for (const FrontPoint* p : points) {
+        if (p->max_error == 0) exact_marks_.push_back(time_.at(p->min_ns));
+        if (std::isinf(p->max_error)) endless_marks_.push_back(time_.at(p->min_ns));
+    }
+    std::sort(exact_marks_.begin(), exact_marks_.end()), std::sort(endless_marks_.begin(), endless_marks_.end());
 }
 
 glm::vec2 Axes::place_of(const FrontPoint& point) const { return {time_.at(point.min_ns), height_of(point.max_error)}; }
@@ -73,19 +80,27 @@ void Axes::draw() const {
     ui::fill(ui_.list(), plot_, theme.canvas);
     draw_times();
     draw_errors();
-    shelf({plot_.x, plot_.bottom() - shelf_, plot_.w, shelf_}, Role::now, kNone);
-    if (endless_) shelf({plot_.x, plot_.y, plot_.w, ui_.px(kTop)}, Role::error, kEndless);
+    shelf({plot_.x, plot_.bottom() - shelf_, plot_.w, shelf_}, Role::now, kNone, exact_marks_);
+    if (endless_) shelf({plot_.x, plot_.y, plot_.w, ui_.px(kTop)}, Role::error, kEndless, endless_marks_);
     const float zero = height_of(0);
     ui_.text_right(Face::code_note, {plot_.x - ui_.px(6), ui::baseline_at_middle(ui_.font(Face::code_note), zero)},
                    Role::text, "0");
     ui::frame(ui_.list(), plot_, theme.hairline);
 }
 
-void Axes::shelf(const ui::Area& area, Role role, std::string_view name) const {
+/// Its name stands in the rightmost gap between its marks that has room for it.
+void Axes::shelf(const ui::Area& area, Role role, std::string_view name, std::span<const float> marks) const {
     const ui::Theme& theme = ui_.theme();
     const float wash = role == Role::now ? 1.4F * ui::alpha::kRowBand : ui::alpha::kRowBand;
     ui::fill(ui_.list(), area, ui::over(theme[role], wash, theme.canvas));
-    ui_.text_right(Face::note, {plot_.right() - ui_.px(6), area.bottom() - ui_.px(4)}, Role::muted, name);
+    const float width = ui::text_width(ui_.font(Face::note), name), room = width + 2 * ui_.px(kRoundMark);
+    float right = plot_.right();
+    for (auto mark = marks.rbegin(); mark != marks.rend() && right - *mark < room; ++mark) right = *mark;
+    const auto before = std::lower_bound(marks.begin(), marks.end(), right);
+    const float left = before == marks.begin() ? plot_.x : *(before - 1);
+    if (right - left < room) return;
+    const float at = right == plot_.right() ? right - ui_.px(6) - width : (left + right - width) / 2;
+    ui_.text(Face::note, {at, area.bottom() - ui_.px(4)}, Role::muted, name);
 }
 
 void Axes::draw_times() const {
@@ -132,7 +147,9 @@ void Axes::draw_errors() const {
         ui::line(ui_.list(), {plot_.x, y}, {plot_.right(), y}, 1,
                  exponent == 0 ? theme[Role::faint] : ui::with_alpha(theme.grid, labelled ? 1 : kFaintGrid));
         if (labelled) power(plot_.x - ui_.px(6), y, exponent);
-        if (exponent == 0) ui_.text_right(Face::note, {plot_.right() - ui_.px(6), y - ui_.px(4)}, Role::muted, kTexel);
+        const float above = y - ui_.px(4);
+        if (exponent == 0 && above - kCapitals * ui_.font(Face::note).em > plot_.y)
+            ui_.text_right(Face::note, {plot_.right() - ui_.px(6), above}, Role::muted, kTexel);
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "app/ui/ui.h"
 #include "core/measure/front.h"
@@ -32,14 +33,15 @@ private:
     void draw_times() const;
     void draw_errors() const;
     void power(float right, float middle, int exponent) const;
-    void shelf(const ui::Area& area, ui::Role role, std::string_view name) const;
+    void shelf(const ui::Area& area, ui::Role role, std::string_view name, std::span<const float> marks) const;
 
     ui::Ui& ui_;
     ui::Area area_, plot_;
     Scale time_, error_;
-    float line_ = 0;        ///< from one line of text to the next
-    float shelf_ = 0;       ///< how high the place of no error is
-    bool endless_ = false;  ///< some error is infinite
+    float line_ = 0;                                  ///< from one line of text to the next
+    float shelf_ = 0;                                 ///< how high the place of no error is
+    bool endless_ = false;                            ///< some error is infinite
+    std::vector<float> exact_marks_, endless_marks_;  ///< where the marks of both shelves are, from left to right
 };
 
 }  // namespace texelscope::front
