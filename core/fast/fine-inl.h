@@ -52,9 +52,10 @@ constexpr double kWholeDouble = 0x1.8p52;
 /// what moving the value loses: three roundings of numbers that are larger by the bias and half a unit, below 2^32
 /// units. 2^-20 is more than that, twice the bound than the rest. Where a texel is no whole number of units, what lies
 /// below a unit counts, too: it is cut off.
+constexpr double kFineCut = 0x1p-20;
 HWY_INLINE CertainPair fine_certain_of(const Batch& b, int t, Again& again, const Canvas& canvas) {
     const auto cut = [&](int size) {
-        return 0x1p-20 +
+        return kFineCut +
                (canvas.addressing == Addressing::any_size && !std::has_single_bit(static_cast<unsigned>(size)) ? 1 : 0);
     };
     return certain_of(canvas, b, t, 2 * again.u_unsure() + cut(canvas.texture.width),

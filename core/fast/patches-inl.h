@@ -22,22 +22,18 @@ constexpr int kPatch = 1 << kPatchBits;
 using Block = hn::CappedTag<uint32_t, kBlock * kBlock>;  ///< row by row
 using Samples = hn::Vec<Block>;
 
-/// u and v of samples modulo a patch, as parts of 2^32, to the texels of the patch that begins at `patch`, its rows
-/// `pitch` apart.
-HWY_INLINE Samples look_up_patch(const uint32_t* patch, std::ptrdiff_t pitch, Samples u, Samples v) {
-    const Block p;
-    // 8 v + u: the instruction takes the lowest five bits, the sixth tells the upper half of the patch from the lower.
-    const __m512i place = hn::Or(hn::ShiftRight<32 - kPatchBits>(u),
-                                 hn::And(hn::ShiftRight<32 - 2 * kPatchBits>(v), hn::Set(p, kPatch * (kPatch - 1))))
-                              .raw;
+/// Texels of the patch that begins at `patch`, its rows `pitch` apart: `place` is 8 v + u, whatever its upper bits are,
+/// `lower` where v >= 4.
+HWY_INLINE Samples look_up_patch(const uint32_t* patch, std::ptrdiff_t pitch, Samples places, __mmask16 lower) {
+    const __m512i place = places.raw;  // the instruction takes the lowest five bits
     const auto two_rows = [pitch](const uint32_t* row) HWY_ATTR {
         const __m256i first = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(row));
         const __m256i second = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(row + pitch));
         return _mm512_inserti64x4(_mm512_castsi256_si512(first), second, 1);
     };
-    const __m512i upper = _mm512_permutex2var_epi32(two_rows(patch), place, two_rows(patch + 2 * pitch));
-    const __m512i lower = _mm512_permutex2var_epi32(two_rows(patch + 4 * pitch), place, two_rows(patch + 6 * pitch));
-    return Samples{_mm512_mask_blend_epi32(_mm512_movepi32_mask(v.raw), upper, lower)};
+    const __m512i above = _mm512_permutex2var_epi32(two_rows(patch), place, two_rows(patch + 2 * pitch));
+    const __m512i below = _mm512_permutex2var_epi32(two_rows(patch + 4 * pitch), place, two_rows(patch + 6 * pitch));
+    return Samples{_mm512_mask_blend_epi32(lower, above, below)};
 }
 
 HWY_INLINE void store_block(Samples texels, uint32_t* out, std::ptrdiff_t pitch) {
@@ -67,6 +63,18 @@ HWY_INLINE void store_block(Samples texels, __mmask16 inside, uint32_t* out, std
     store_row(out + pitch, _mm512_extracti32x4_epi32(texels.raw, 1), _kshiftri_mask16(inside, 4));
     store_row(out + 2 * pitch, _mm512_extracti32x4_epi32(texels.raw, 2), _kshiftri_mask16(inside, 8));
     store_row(out + 3 * pitch, _mm512_extracti32x4_epi32(texels.raw, 3), _kshiftri_mask16(inside, 12));
+}
+/// A block with these samples inside. Returns these.
+template <bool kWhole>
+HWY_INLINE __mmask16 store_block(Samples texels, const uint16_t& inside, uint32_t* out, std::ptrdiff_t pitch) {
+    if constexpr (kWhole) {
+        store_block(texels, out, pitch);
+        return 0xFFFF;
+    } else {
+        const __mmask16 mask = load_mask(inside);
+        store_block(texels, mask, out, pitch);
+        return mask;
+    }
 }
 
 }  // namespace HWY_NAMESPACE

@@ -175,10 +175,10 @@ HWY_INLINE void part_of(const Rows& whole, int count, int done, int segment, Row
     }
 }
 
-/// The rows of one triangle. kNarrow: it is so narrow that its corners bound well enough how far u and v go in a row;
-/// else each group of rows is asked. False: nothing is drawn, the corners do not.
+/// The rows of one triangle from `from` on. kNarrow: it is so narrow that its corners bound well enough how far u and v
+/// go in a row; else each group of rows is asked. False: nothing is drawn, the corners do not.
 template <bool kNarrow, Addressing kAddressing, bool kDepth, bool kCertain, class Tag>
-HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& canvas) {
+HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& canvas, int from) {
     const hn::Rebind<float, Tag> f;
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
     const auto lanes = hn::Iota(f, 0.0F);
@@ -198,7 +198,7 @@ HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
     if (kNarrow && !certain.fits()) return false;
     if (!slopes.divides) ++canvas.counters->of(RasterSkip::level_w);
     Texels<Tag, kAddressing> texels(canvas, b, t, certain);
-    for (int row = b.row0.at[t], count = 0; row < b.row1.at[t]; row += count) {
+    for (int row = from, count = 0; row < b.row1.at[t]; row += count) {
         Rows whole, part;
         Rows& rows = kNarrow ? whole : part;
         count = std::min(kRows, b.row1.at[t] - row);

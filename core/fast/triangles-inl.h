@@ -14,7 +14,7 @@
 #include <hwy/cache_control.h>
 
 #include "core/fast/affine-inl.h"
-#include "core/fast/blocks-inl.h"
+#include "core/fast/block_batch-inl.h"
 #include "core/fast/dispatch.h"
 #include "core/fast/perspective-inl.h"
 #include "core/fast/tiny-inl.h"
@@ -76,8 +76,10 @@ HWY_INLINE void draw_triangle(const Batch& b, int t, const Canvas& canvas) {
         if (!canvas.job->perspective && b.tiny.at[t] != 0 && draw_tiny<kAddressing>(b, t, canvas)) return;
     const int widest = b.widest.at[t];
     if (canvas.job->perspective && (b.flat.at[t] == 0 || !canvas.settings->skip(RasterSkip::equal_w))) {
-        if (widest <= kMedium && draw_perspective<true, kAddressing, kDepth, kCertain>(medium, b, t, canvas)) return;
-        return void(draw_perspective<false, kAddressing, kDepth, kCertain>(wide, b, t, canvas));
+        if (widest <= kMedium &&
+            draw_perspective<true, kAddressing, kDepth, kCertain>(medium, b, t, canvas, b.row0.at[t]))
+            return;
+        return void(draw_perspective<false, kAddressing, kDepth, kCertain>(wide, b, t, canvas, b.row0.at[t]));
     }
     if (canvas.job->perspective) ++canvas.counters->of(RasterSkip::equal_w);
     if constexpr (kMost && !kDepth)

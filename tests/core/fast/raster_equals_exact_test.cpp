@@ -144,37 +144,76 @@ TEST(RasterEqualsExact, InEveryPixelOfRandomTriangles) {
     EXPECT_GT(counters.in_whole, 0U);
 }
 
-/// Triangles and textures as blocks are for: from magnified to somewhat more than a texel a pixel, turned, small
-/// textures that repeat within a triangle and large ones, samples on borders of texels, of rows and of the picture.
-TEST(RasterEqualsExact, ByBlocks) {
-    laws::Dice dice(11);
+/// A triangle as blocks are for: its texture laid over the screen, turned, about `density` texels a pixel. Ties:
+/// samples on borders of texels and on sides.
+std::array<Vertex, 3> laid_triangle(laws::Dice& dice, const RasterTexture& texture, float density, bool ties) {
+    const float angle = dice.within(0, 6.3F);
+    float along = density * std::cos(angle), across = density * std::sin(angle);
+    if (ties) along = static_cast<float>(dice.whole(-8, 8)) / 4, across = static_cast<float>(dice.whole(-4, 4)) / 4;
+    const float middle_x = dice.within(-20, kWidth + 20), middle_y = dice.within(-10, kHeight + 10);
+    const float size = dice.often(.5) ? 20 : 200;
+    std::array<Vertex, 3> corners{};
+    for (Vertex& c : corners) {
+        c = {middle_x + dice.within(-size, size), middle_y + dice.within(-size, size), 0, 1};
+        if (ties) c.x = std::floor(2 * c.x) / 2, c.y = std::floor(2 * c.y) / 2;
+        c.u = (along * c.x - across * c.y + 3000) / static_cast<float>(texture.width);
+        c.v = (across * c.x + along * c.y - 3000) / static_cast<float>(texture.height);
+    }
+    return corners;
+}
+
+/// Textures that repeat, small ones within a triangle and large ones.
+const std::array<Addresses, 5>& repeating_textures() {
     static const std::array<Addresses, 5> all{{{256, 256, Wrap::repeat},
                                                {16, 16, Wrap::mask},
                                                {64, 16, Wrap::repeat},
                                                {16, 512, Wrap::mask},
                                                {8, 8, Wrap::repeat}}};
+    return all;
+}
+
+/// From magnified to somewhat more than a texel a pixel.
+TEST(RasterEqualsExact, ByBlocks) {
+    laws::Dice dice(11);
     RasterCounters counters;
     for (int n = 0; n < 1500; ++n) {
-        const Addresses& texels = all[static_cast<std::size_t>(n % 5)];
+        const Addresses& texels = repeating_textures()[static_cast<std::size_t>(n % 5)];
         std::vector<Vertex> vertices;
         for (int k = dice.whole(1, 10); k-- > 0;) {
-            const float density = dice.within(.05F, 1.9F), angle = dice.within(0, 6.3F);
-            float along = density * std::cos(angle), across = density * std::sin(angle);
-            const bool ties = dice.often(.3);
-            if (ties)
-                along = static_cast<float>(dice.whole(-8, 8)) / 4, across = static_cast<float>(dice.whole(-4, 4)) / 4;
-            const float middle_x = dice.within(-20, kWidth + 20), middle_y = dice.within(-10, kHeight + 10);
-            const float size = dice.often(.5) ? 20 : 200;
-            for (int corner = 0; corner < 3; ++corner) {
-                Vertex c{middle_x + dice.within(-size, size), middle_y + dice.within(-size, size), 0, 1};
-                if (ties) c.x = std::floor(2 * c.x) / 2, c.y = std::floor(2 * c.y) / 2;
-                c.u = (along * c.x - across * c.y + 3000) / static_cast<float>(texels.texture.width);
-                c.v = (across * c.x + along * c.y - 3000) / static_cast<float>(texels.texture.height);
-                vertices.push_back(c);
-            }
+            const float density = dice.within(.05F, 1.9F);
+            const auto corners = laid_triangle(dice, texels.texture, density, dice.often(.3));
+            vertices.insert(vertices.end(), corners.begin(), corners.end());
         }
         RasterJob job = job_of(vertices, texels.texture);
         job.cull_back = n % 7 == 0;
+        expect_exact(texels, job, counters, std::to_string(n));
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_TRUE(!is_supported(SimdLevel::avx512) || counters.by_blocks > 2000U) << counters.by_blocks;
+    EXPECT_GT(counters.in_double, 1000U);
+}
+
+/// Some blocks' texels lie within a patch, others not, and others are too far apart or too steep for float32; w is
+/// equal at two or three corners, too.
+TEST(RasterEqualsExact, ByBlocksInPerspective) {
+    laws::Dice dice(12);
+    RasterCounters counters;
+    for (int n = 0; n < 1500; ++n) {
+        const Addresses& texels = repeating_textures()[static_cast<std::size_t>(n % 5)];
+        std::vector<Vertex> vertices;
+        for (int k = dice.whole(1, 10); k-- > 0;) {
+            const bool ties = dice.often(.3);
+            const float density = dice.often(.8) ? dice.within(.05F, 1.9F) : dice.within(1, 8),
+                        steep = dice.often(.8) ? 4 : 100;
+            auto corners = laid_triangle(dice, texels.texture, density, ties);
+            for (Vertex& c : corners) c.w = ties ? static_cast<float>(1 << dice.whole(0, 2)) : dice.within(1, steep);
+            if (dice.often(.2)) corners[1].w = corners[0].w, corners[1].y = corners[0].y;
+            if (ties && dice.often(.3))
+                for (Vertex& c : corners) c.u *= 4, c.v *= 4;
+            vertices.insert(vertices.end(), corners.begin(), corners.end());
+        }
+        RasterJob job = job_of(vertices, texels.texture);
+        job.perspective = true, job.cull_back = n % 7 == 0;
         expect_exact(texels, job, counters, std::to_string(n));
         if (HasFatalFailure()) return;
     }

@@ -1,0 +1,214 @@
+// Which triangles of a batch are drawn by blocks (blocks-inl.h), and how: the first blocks of each are found before any
+// is drawn, so that to draw them need not wait.
+#if defined(TEXELSCOPE_BLOCK_BATCH_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TEXELSCOPE_BLOCK_BATCH_INL
+#undef TEXELSCOPE_BLOCK_BATCH_INL
+#else
+#define TEXELSCOPE_BLOCK_BATCH_INL
+#endif
+
+#include <type_traits>
+#include <utility>
+
+#include "core/fast/affine_blocks-inl.h"
+#include "core/fast/perspective-inl.h"
+#include "core/fast/perspective_blocks-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace texelscope {
+namespace HWY_NAMESPACE {
+
+#if HWY_TARGET <= HWY_AVX3
+
+/// Whether blocks are faster than rows: of a block that no more than a third of is inside, rows store less.
+template <class Kind>
+HWY_INLINE bool is_by_blocks(const Batch& b, int t, const Canvas& canvas) {
+    const int widest = b.widest.at[t];
+    if (widest < kLeastWide) return false;
+    const int64_t samples = int64_t{widest} * (b.row1.at[t] - b.row0.at[t]);
+    return samples >= int64_t{kBlock} * (b.column1.at[t] - b.column0.at[t]) && Kind::serves(b, t, canvas);
+}
+
+/// The unsure texels of some blocks. Returns as mend() does; false with `only_double` also where the rows so far have
+/// so many that the triangle had better be drawn otherwise.
+template <class Kind>
+HWY_NOINLINE bool blocks_again(const typename Kind::Found& found, const Kind& kind, Again& again, bool only_double,
+                               int rows, const Canvas& canvas) {
+    const auto pitch = static_cast<uint32_t>(canvas.target.pitch);
+    uint32_t which = found.parts | found.wholes;
+    if constexpr (Kind::kPerspective) which &= ~found.beyond;
+    for (; which != 0; which &= which - 1) {
+        const int n = std::countr_zero(which);
+        for (uint32_t asked = found.inside[n] & kind.unsure(found, n); asked != 0; asked &= asked - 1) {
+            const int sample = std::countr_zero(asked);
+            const int x = static_cast<int>(found.out[n] % pitch) + sample % kBlock;
+            const int y = found.row + static_cast<int>(found.out[n] / pitch) + sample / kBlock;
+            if (!mend_pixel(again, x, y, only_double, canvas) || (only_double && again.often(rows))) return false;
+        }
+    }
+    return true;
+}
+
+/// A triangle by blocks, the first of which are found.
+template <class Kind>
+struct BlockDrawing {
+    Kind kind;
+    BlockWindows<Kind> windows;
+    typename Kind::Found first;
+    bool more;  ///< there are such
+};
+
+/// Whether rows are faster: float32 cannot tell most of the blocks.
+template <class Kind>
+[[nodiscard]] HWY_INLINE bool is_beyond(const typename Kind::Found& found) {
+    if constexpr (!Kind::kPerspective) return false;
+    if constexpr (Kind::kPerspective)
+        return std::popcount(found.beyond) * 2 > std::popcount(found.parts | found.wholes);
+}
+
+/// The rows of strips from `row` on are drawn once more.
+HWY_NOINLINE void forget_strips(const Batch& b, int t, int row, const Canvas& canvas) {
+    if (canvas.settings->watch == nullptr) return;
+    Rows rows;
+    cross_strips(b, t, canvas, row, rows);
+    forget(canvas, row, std::min(kRows, b.row1.at[t] - row), rows);
+}
+
+template <bool kCertain, class Kind>
+HWY_INLINE bool put_window(const typename Kind::Found& found, const Kind& kind, const Canvas& canvas) {
+    uint32_t others = 0;
+    if constexpr (Kind::kPerspective) others = found.far | found.beyond;
+    bool sure = true;
+    if constexpr (Kind::kPerspective)
+        if (found.far != 0) sure = kind.template put_far<kCertain>(found, found.far, canvas);
+    sure = kind.template put<false, kCertain>(found, found.parts & ~others, canvas) && sure;
+    if ((found.wholes & ~others) != 0)
+        sure = kind.template put<true, kCertain>(found, found.wholes & ~others, canvas) && sure;
+    return sure;
+}
+
+template <bool kCertain, class Kind>
+HWY_NOINLINE void draw_blocks(const Batch& b, int t, const Canvas& canvas, BlockDrawing<Kind>& drawing) {
+    Again again(canvas, b, t, Kind::kPerspective);
+    bool ties_known = false;
+    uint64_t samples = 0;
+    typename Kind::Found other;
+    Kind& kind = drawing.kind;
+    auto *now = &drawing.first, *next = &other;
+    for (bool more = drawing.more; more; std::swap(now, next)) {
+        const int row = now->row;
+        if constexpr (Kind::kPerspective)
+            if (is_beyond<Kind>(*now)) {
+                forget_strips(b, t, row, canvas);
+                draw_perspective<false, Addressing::powers, false, kCertain>(Pixel{}, b, t, canvas, row);
+                break;
+            }
+        more = drawing.windows.next(b, t, canvas, kind, *next);
+        bool told = put_window<kCertain>(*now, kind, canvas) || !kCertain ||
+                    blocks_again(*now, kind, again, !ties_known, row + kRows - b.row0.at[t], canvas);
+        if constexpr (Kind::kPerspective)
+            if (told && now->beyond != 0) told = kind.put_beyond(b, t, *now, now->beyond, again, !ties_known, canvas);
+        if (told) {
+            samples += now->samples;
+            continue;
+        }
+        // As in draw_rows: these strips once more, past all ties.
+        kind.use(b, t, canvas, again.half_gaps());
+        ties_known = true;
+        forget_strips(b, t, row, canvas);
+        if (!kind.sure() &&
+            draw_finely<Kind::kPerspective, Addressing::powers, false>(b, t, row, again, canvas, samples))
+            break;
+        drawing.windows.go_to(b, t, canvas, kind, row);
+        more = drawing.windows.next(b, t, canvas, kind, *next);
+    }
+    canvas.counters->samples += samples, ++canvas.counters->by_blocks;
+}
+
+/// The triangles of a batch that are drawn by blocks of one kind.
+template <class Kind>
+class BlockDrawings {
+public:
+    /// Those of `which` that are.
+    HWY_NOINLINE uint32_t find(const Batch& b, uint32_t which, const Canvas& canvas) {
+        for (uint32_t m = which; m != 0; m &= m - 1)
+            if (!is_by_blocks<Kind>(b, std::countr_zero(m), canvas)) which &= ~(m & -m);
+        // One step of all after another: each is a chain of few instructions that wait for each other.
+        const auto each = [&](auto&& step) HWY_ATTR {
+            for (uint32_t m = which; m != 0; m &= m - 1) step(std::countr_zero(m));
+        };
+        each([&](int t) HWY_ATTR { at_[t].kind.set_up(b, t, canvas); });
+        Rows rows[kBatch];
+        each([&](int t) HWY_ATTR { cross_strips(b, t, canvas, b.row0.at[t], rows[t]); });
+        each([&](int t) HWY_ATTR { at_[t].windows.go_to(b, t, canvas, at_[t].kind, b.row0.at[t], rows[t]); });
+        each([&](int t) HWY_ATTR {
+            BlockDrawing<Kind>& d = at_[t];
+            d.more = d.windows.next(b, t, canvas, d.kind, d.first);
+            if (d.more && is_beyond<Kind>(d.first)) which &= ~(1U << t);
+        });
+        return which;
+    }
+    [[nodiscard]] HWY_INLINE BlockDrawing<Kind>& at(int t) { return at_[t]; }
+
+private:
+    BlockDrawing<Kind> at_[kBatch];
+};
+
+/// Which triangles of a batch are drawn by blocks.
+class BlockBatch {
+public:
+    HWY_INLINE BlockBatch(const Batch& b, int count, const Canvas& canvas) {
+        if (canvas.texture.apron < kTexelApron) return;
+        const uint32_t there = (1U << count) - 1;
+        const auto bits = [&](const EightInt& flags) HWY_ATTR {
+            const hn::CappedTag<int32_t, kBatch> s;
+            return bits_of(s, hn::Ne(hn::Load(s, flags.at), hn::Zero(s)));
+        };
+        uint32_t shown = there & bits(b.good) & ~bits(b.one_texel);
+        if (canvas.job->cull_back) shown &= bits(b.front);
+        uint32_t affine = 0;
+        if (!canvas.job->perspective)
+            affine = ~bits(b.tiny);
+        else if (canvas.settings->skip(RasterSkip::equal_w))
+            affine = bits(b.flat);
+        const uint32_t perspective = canvas.job->perspective ? shown & ~affine : 0;
+        if ((shown & affine) != 0) affine_ = affine_drawings_.find(b, shown & affine, canvas);
+        if (perspective != 0) perspective_ = perspective_drawings_.find(b, perspective, canvas);
+    }
+    [[nodiscard]] HWY_INLINE bool has(int t) const { return ((affine_ | perspective_) >> t & 1) != 0; }
+    template <bool kCertain>
+    HWY_INLINE void draw(const Batch& b, int t, const Canvas& canvas) {
+        if ((affine_ >> t & 1) != 0)
+            draw_blocks<kCertain>(b, t, canvas, affine_drawings_.at(t));
+        else
+            draw_blocks<kCertain>(b, t, canvas, perspective_drawings_.at(t));
+    }
+
+private:
+    uint32_t affine_ = 0, perspective_ = 0;
+    BlockDrawings<AffineBlocks> affine_drawings_;
+    BlockDrawings<PerspectiveBlocks> perspective_drawings_;
+};
+
+#endif
+
+/// None.
+struct NoBlockBatch {
+    HWY_INLINE NoBlockBatch(const Batch& /*b*/, int /*count*/, const Canvas& /*canvas*/) {}
+    [[nodiscard]] static HWY_INLINE bool has(int /*t*/) { return false; }
+    template <bool kCertain>
+    static HWY_INLINE void draw(const Batch& /*b*/, int /*t*/, const Canvas& /*canvas*/) {}
+};
+
+#if HWY_TARGET <= HWY_AVX3
+template <bool kSome>
+using Blocked = std::conditional_t<kSome, BlockBatch, NoBlockBatch>;
+#else
+template <bool kSome>
+using Blocked = NoBlockBatch;
+#endif
+
+}  // namespace HWY_NAMESPACE
+}  // namespace texelscope
+HWY_AFTER_NAMESPACE();
+#endif
