@@ -178,10 +178,9 @@ public:
     [[nodiscard]] HWY_INLINE bool has(int t) const { return ((affine_ | perspective_) >> t & 1) != 0; }
     template <bool kCertain>
     HWY_INLINE void draw(const Batch& b, int t, const Canvas& canvas) {
-        if ((affine_ >> t & 1) != 0)
-            draw_blocks<kCertain>(b, t, canvas, affine_drawings_.at(t));
-        else
-            draw_blocks<kCertain>(b, t, canvas, perspective_drawings_.at(t));
+        if ((perspective_ >> t & 1) != 0) return draw_blocks<kCertain>(b, t, canvas, perspective_drawings_.at(t));
+        if (canvas.job->perspective) ++canvas.counters->of(RasterSkip::equal_w);
+        draw_blocks<kCertain>(b, t, canvas, affine_drawings_.at(t));
     }
 
 private:

@@ -373,7 +373,7 @@ TEST(RasterThreads, LookAtEachTriangleOnce) {
 TEST(RasterSkips, ChangeNoPixel) {
     laws::Dice dice(6);
     const Addresses& texels = textures()[0];
-    std::uint64_t level = 0, single = 0, floors = 0;
+    std::uint64_t level = 0, single = 0, floors = 0, flat = 0;
     for (int n = 0; n < 40; ++n) {
         std::vector<Vertex> vertices;
         for (int k = 0; k < 60; ++k) {
@@ -391,9 +391,13 @@ TEST(RasterSkips, ChangeNoPixel) {
         const RasterTexture texture = n % 3 == 0 ? texels.texture : texels.with_apron.texture();
         RasterJob job = job_of(vertices, texture);
         job.depth = n % 2 == 0, job.perspective = n % 4 < 2, job.cull_back = true;
-        RasterCounters with, without;
+        RasterCounters with, without, by_rows;
         const Picture expected = decided(texture, job);
         ASSERT_EQ(drawn(texture, job, with), expected);
+        ASSERT_EQ(drawn(texels.texture, job, by_rows), expected);
+        for (const RasterSkip skip : {RasterSkip::equal_w, RasterSkip::level_w})
+            EXPECT_EQ(with.of(skip), by_rows.of(skip)) << "by blocks and by rows: " << static_cast<int>(skip);
+        flat += with.of(RasterSkip::equal_w);
         for (const RasterSkipInfo& skip : kRasterSkips) {
             const std::uint32_t others = ~(1U << static_cast<unsigned>(skip.skip));
             RasterCounters counters;
@@ -408,6 +412,7 @@ TEST(RasterSkips, ChangeNoPixel) {
     }
     EXPECT_GT(single, 0U);
     EXPECT_GT(floors, 0U);
+    EXPECT_GT(flat, 0U);
     EXPECT_GT(level, 0U) << "of wide triangles only, without depth";
 }
 
