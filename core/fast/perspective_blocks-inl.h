@@ -90,13 +90,15 @@ public:
         one_lanes_ = lanes_of(one_rounded_);
         one_spread_ = static_cast<float>((std::abs(one_.at[1]) + std::abs(one_.at[2])) * kMiddle);
         right_most_ = width - 1;
-        u_always_ = v_always_ = 0;
+        u_always_ = v_always_ = 0, far_told_ = true;
     }
     HWY_INLINE void use(const Batch& /*b*/, int /*t*/, const Canvas& canvas, const HalfGaps& gaps) {
-        const auto always = [](double gap, int bits) HWY_ATTR {
-            return gap * kParts > kFarDoubt * static_cast<double>(int64_t{1} << (32 - bits)) ? kAlways : 0;
-        };
-        gaps_ = gaps, u_always_ = always(gaps.u, canvas.u_bits), v_always_ = always(gaps.v, canvas.v_bits);
+        // Half of the gap in parts.
+        const auto parts = [](double gap, int bits)
+                               HWY_ATTR { return gap * kParts / static_cast<double>(int64_t{1} << (32 - bits)); };
+        const double u = parts(gaps.u, canvas.u_bits), v = parts(gaps.v, canvas.v_bits);
+        gaps_ = gaps, u_always_ = u > kNearDoubt ? kAlways : 0, v_always_ = v > kNearDoubt ? kAlways : 0;
+        far_told_ = u > kFarDoubt && v > kFarDoubt;
     }
     /// Whether no sample needs a test.
     [[nodiscard]] HWY_INLINE bool sure() const { return (u_always_ & v_always_) != 0; }
@@ -336,7 +338,8 @@ private:
         const auto fits = hn::Lt(hn::Max(rest, v_rest), all(kPatch * kParts));
         const uint32_t near = bits_of(f, hn::And(fits, within(kNear))),
                        told = bits_of(f, hn::And(hn::Ge(one_at, all(4 * one_spread_)), within(kFar)));
-        found.far |= (some & told & ~near) << first, found.beyond |= (some & ~told) << first;
+        (far_told_ ? found.far : found.beyond) |= (some & told & ~near) << first;
+        found.beyond |= (some & ~told) << first;
     }
 
     Plane one_, u_, v_;  ///< D and N over the box; u and v in parts
@@ -345,6 +348,7 @@ private:
     float one_spread_;              ///< no sample's D is farther from its block's
     double right_most_;             ///< the last column of the box
     uint32_t u_always_, v_always_;  ///< kAlways where all texels are certain
+    bool far_told_;                 ///< float32 can tell ties of far blocks, too
     HalfGaps gaps_;
     Plane near_u_, near_v_;            ///< N - a D of the next window
     uint32_t u_from_, v_from_;         ///< its texels a
