@@ -78,8 +78,9 @@ public:
     static constexpr bool kPerspective = false;
     /// What the blocks of a window show.
     struct Found : Window {
-        alignas(64) uint32_t u[kBlocks], v[kBlocks];  ///< from the patch to where they are least [parts]
-        alignas(64) uint32_t texel[kBlocks];          ///< the patch' first
+        alignas(64) uint32_t u[kBlocks], v[kBlocks];    ///< from the patch to where they are least [parts]
+        alignas(64) uint32_t texel[kBlocks];            ///< the patch' first
+        static constexpr uint32_t far = 0, beyond = 0;  ///< all patches hold their texels: serves()
     };
 
     /// Whether the patch of any block of the triangle holds all of its texels. They spread over what u and v change
@@ -125,7 +126,7 @@ public:
     HWY_INLINE bool put(const Found& found, uint32_t which, const Canvas& canvas) const {
         const Block p;
         const auto u_lanes = u_.lanes, v_lanes = v_.lanes;
-        const __m512i u_tested = u_.tested.raw, v_tested = v_.tested.raw;
+        const auto u_tested = u_.tested, v_tested = v_.tested;
         const uint32_t* const texels = canvas.texture.texels;
         const std::ptrdiff_t pitch = canvas.target.pitch, texture_pitch = canvas.texture.pitch;
         uint32_t* const line = canvas.target.pixels + found.row * pitch;
@@ -140,9 +141,7 @@ public:
             const auto texel =
                 look_up_patch(texels + found.texel[n], texture_pitch, place, _mm512_movepi32_mask(v.raw));
             const __mmask16 inside = store_block<kWhole>(texel, found.inside[n], line + found.out[n], pitch);
-            if constexpr (kCertain)
-                unsure = _kor_mask16(unsure, _kor_mask16(_mm512_mask_testn_epi32_mask(inside, u.raw, u_tested),
-                                                         _mm512_mask_testn_epi32_mask(inside, v.raw, v_tested)));
+            if constexpr (kCertain) unsure = _kor_mask16(unsure, doubtful(inside, u, u_tested, v, v_tested));
         }
         return unsure == 0;
     }

@@ -7,6 +7,7 @@
 #define TEXELSCOPE_BLOCK_BATCH_INL
 #endif
 
+#include <bit>
 #include <type_traits>
 #include <utility>
 
@@ -35,9 +36,7 @@ template <class Kind>
 HWY_NOINLINE bool blocks_again(const typename Kind::Found& found, const Kind& kind, Again& again, bool only_double,
                                int rows, const Canvas& canvas) {
     const auto pitch = static_cast<uint32_t>(canvas.target.pitch);
-    uint32_t which = found.parts | found.wholes;
-    if constexpr (Kind::kPerspective) which &= ~found.beyond;
-    for (; which != 0; which &= which - 1) {
+    for (uint32_t which = (found.parts | found.wholes) & ~found.beyond; which != 0; which &= which - 1) {
         const int n = std::countr_zero(which);
         for (uint32_t asked = found.inside[n] & kind.unsure(found, n); asked != 0; asked &= asked - 1) {
             const int sample = std::countr_zero(asked);
@@ -59,11 +58,9 @@ struct BlockDrawing {
 };
 
 /// Whether rows are faster: float32 cannot tell most of the blocks.
-template <class Kind>
-[[nodiscard]] HWY_INLINE bool is_beyond(const typename Kind::Found& found) {
-    if constexpr (!Kind::kPerspective) return false;
-    if constexpr (Kind::kPerspective)
-        return std::popcount(found.beyond) * 2 > std::popcount(found.parts | found.wholes);
+template <class Found>
+[[nodiscard]] HWY_INLINE bool is_beyond(const Found& found) {
+    return std::popcount(found.beyond) * 2 > std::popcount(found.parts | found.wholes);
 }
 
 /// The rows of strips from `row` on are drawn once more.
@@ -76,8 +73,7 @@ HWY_NOINLINE void forget_strips(const Batch& b, int t, int row, const Canvas& ca
 
 template <bool kCertain, class Kind>
 HWY_INLINE bool put_window(const typename Kind::Found& found, const Kind& kind, const Canvas& canvas) {
-    uint32_t others = 0;
-    if constexpr (Kind::kPerspective) others = found.far | found.beyond;
+    const uint32_t others = found.far | found.beyond;
     bool sure = true;
     if constexpr (Kind::kPerspective)
         if (found.far != 0) sure = kind.template put_far<kCertain>(found, found.far, canvas);
@@ -98,7 +94,7 @@ HWY_NOINLINE void draw_blocks(const Batch& b, int t, const Canvas& canvas, Block
     for (bool more = drawing.more; more; std::swap(now, next)) {
         const int row = now->row;
         if constexpr (Kind::kPerspective)
-            if (is_beyond<Kind>(*now)) {
+            if (is_beyond(*now)) {
                 forget_strips(b, t, row, canvas);
                 draw_perspective<false, Addressing::powers, false, kCertain>(Pixel{}, b, t, canvas, row);
                 break;
@@ -144,7 +140,7 @@ public:
         each([&](int t) HWY_ATTR {
             BlockDrawing<Kind>& d = at_[t];
             d.more = d.windows.next(b, t, canvas, d.kind, d.first);
-            if (d.more && is_beyond<Kind>(d.first)) which &= ~(1U << t);
+            if (d.more && is_beyond(d.first)) which &= ~(1U << t);
         });
         return which;
     }

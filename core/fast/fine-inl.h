@@ -48,11 +48,12 @@ HWY_INLINE void put_nearer(Tag p, const Texels<Tag, kAddressing>& texels, hn::Ve
 /// Adding it rounds |value| < 2^51 to whole numbers, which then stand in double's lowest bits.
 constexpr double kWholeDouble = 0x1.8p52;
 
+constexpr double kFineCut = 0x1p-20;  ///< [units]
+
 /// What makes texels certain in a FineRow. Double loses no more at a sample than it does where Again asks it, but for
 /// what moving the value loses: three roundings of numbers that are larger by the bias and half a unit, below 2^32
-/// units. 2^-20 is more than that, twice the bound than the rest. Where a texel is no whole number of units, what lies
-/// below a unit counts, too: it is cut off.
-constexpr double kFineCut = 0x1p-20;
+/// units. kFineCut is more than that, twice the bound than the rest. Where a texel is no whole number of units, what
+/// lies below a unit counts, too: it is cut off.
 HWY_INLINE CertainPair fine_certain_of(const Batch& b, int t, Again& again, const Canvas& canvas) {
     const auto cut = [&](int size) {
         return kFineCut +

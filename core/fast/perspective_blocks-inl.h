@@ -8,6 +8,7 @@
 #endif
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "core/fast/blocks-inl.h"
@@ -138,8 +139,7 @@ public:
         const std::ptrdiff_t pitch = canvas.target.pitch, texture_pitch = canvas.texture.pitch;
         uint32_t* const line = canvas.target.pixels + found.row * pitch;
         const auto one_lanes = one_lanes_, u_lanes = found.u_lanes, v_lanes = found.v_lanes;
-        const __m512i u_tested = hn::Set(p, u_always_ | kNearTested).raw,
-                      v_tested = hn::Set(p, v_always_ | kNearTested).raw;
+        const auto u_tested = hn::Set(p, u_always_ | kNearTested), v_tested = hn::Set(p, v_always_ | kNearTested);
         __mmask16 unsure = 0;
         for (; which != 0; which &= which - 1) {
             const int n = std::countr_zero(which);
@@ -151,9 +151,7 @@ public:
             const __mmask16 lower = _mm512_test_epi32_mask(v.raw, _mm512_set1_epi32(4 << kPartBits));
             const auto texel = look_up_patch(texels + found.texel[n], texture_pitch, Samples{place}, lower);
             const __mmask16 inside = store_block<kWholeBlock>(texel, found.inside[n], line + found.out[n], pitch);
-            if constexpr (kCertain)
-                unsure = _kor_mask16(unsure, _kor_mask16(_mm512_mask_testn_epi32_mask(inside, u.raw, u_tested),
-                                                         _mm512_mask_testn_epi32_mask(inside, v.raw, v_tested)));
+            if constexpr (kCertain) unsure = _kor_mask16(unsure, doubtful(inside, u, u_tested, v, v_tested));
         }
         return unsure == 0;
     }
@@ -163,8 +161,7 @@ public:
         const Block p;
         const std::ptrdiff_t pitch = canvas.target.pitch;
         uint32_t* const line = canvas.target.pixels + found.row * pitch;
-        const __m512i u_tested = hn::Set(p, u_always_ | kFarTested).raw,
-                      v_tested = hn::Set(p, v_always_ | kFarTested).raw;
+        const auto u_tested = hn::Set(p, u_always_ | kFarTested), v_tested = hn::Set(p, v_always_ | kFarTested);
         const auto u_from = hn::Set(p, found.u_from - (std::bit_cast<uint32_t>(kWhole) >> kPartBits)),
                    v_from = hn::Set(p, found.v_from - (std::bit_cast<uint32_t>(kWhole) >> kPartBits));
         const auto u_mask = hn::Set(p, canvas.texture.width - 1U), v_mask = hn::Set(p, canvas.texture.height - 1U),
@@ -178,19 +175,18 @@ public:
                        line_of = hn::And(hn::Add(hn::ShiftRight<kPartBits>(v), v_from), v_mask);
             const auto texel = look_up(p, canvas.texture.texels, hn::Add(hn::Mul(line_of, texture_pitch), column));
             const __mmask16 inside = store_block<false>(texel, found.inside[n], line + found.out[n], pitch);
-            if constexpr (kCertain)
-                unsure = _kor_mask16(unsure, _kor_mask16(_mm512_mask_testn_epi32_mask(inside, u.raw, u_tested),
-                                                         _mm512_mask_testn_epi32_mask(inside, v.raw, v_tested)));
+            if constexpr (kCertain) unsure = _kor_mask16(unsure, doubtful(inside, u, u_tested, v, v_tested));
         }
         return unsure == 0;
     }
     /// The same in double, for blocks that float32 cannot tell; mends unsure texels, and returns as mend() does.
     HWY_NOINLINE bool put_beyond(const Batch& b, int t, const Found& found, uint32_t which, Again& again,
                                  bool only_double, const Canvas& canvas) const {
-        const hn::CappedTag<uint32_t, kBlock> p;
+        using Row = hn::CappedTag<uint32_t, kBlock>;
+        const Row p;
         const CertainPair certain =
             certain_of(canvas, b, t, 2 * b.u_far.at[t] + kFineCut, 2 * b.v_far.at[t] + kFineCut, gaps_);
-        const Texels<decltype(p), Addressing::powers> texels(canvas, b, t, certain);
+        const Texels<Row, Addressing::powers> texels(canvas, b, t, certain);
         const auto pitch = static_cast<uint32_t>(canvas.target.pitch);
         for (; which != 0; which &= which - 1) {
             const int n = std::countr_zero(which);
@@ -201,7 +197,7 @@ public:
                 const uint8_t bits = inside & ((1U << kBlock) - 1);
                 if (bits == 0) continue;
                 auto u = hn::Zero(p), v = u;
-                FineRow<true, std::remove_const_t<decltype(p)>>(b, t, x, y, certain).next(u, v);
+                FineRow<true, Row>(b, t, x, y, certain).next(u, v);
                 const auto in = hn::LoadMaskBits(p, &bits);
                 hn::BlendedStore(texels.fetch(u, v), in, p,
                                  canvas.target.pixels + std::ptrdiff_t{y} * canvas.target.pitch + x);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "core/fast/raster_texels.h"
 #include "core/measure/reference.h"
@@ -172,53 +173,49 @@ const std::array<Addresses, 5>& repeating_textures() {
     return all;
 }
 
-/// From magnified to somewhat more than a texel a pixel.
-TEST(RasterEqualsExact, ByBlocks) {
-    laws::Dice dice(11);
+/// Scenes of such triangles, which `made` makes for a texture.
+void expect_exact_by_blocks(unsigned seed, bool perspective,
+                            const std::function<std::array<Vertex, 3>(laws::Dice&, const RasterTexture&)>& made) {
+    laws::Dice dice(seed);
     RasterCounters counters;
     for (int n = 0; n < 1500; ++n) {
         const Addresses& texels = repeating_textures()[static_cast<std::size_t>(n % 5)];
         std::vector<Vertex> vertices;
         for (int k = dice.whole(1, 10); k-- > 0;) {
-            const float density = dice.within(.05F, 1.9F);
-            const auto corners = laid_triangle(dice, texels.texture, density, dice.often(.3));
+            const auto corners = made(dice, texels.texture);
             vertices.insert(vertices.end(), corners.begin(), corners.end());
         }
         RasterJob job = job_of(vertices, texels.texture);
-        job.cull_back = n % 7 == 0;
+        job.perspective = perspective, job.cull_back = n % 7 == 0;
         expect_exact(texels, job, counters, std::to_string(n));
-        if (HasFatalFailure()) return;
+        if (testing::Test::HasFatalFailure()) return;
     }
     EXPECT_TRUE(!is_supported(SimdLevel::avx512) || counters.by_blocks > 2000U) << counters.by_blocks;
     EXPECT_GT(counters.in_double, 1000U);
 }
 
+/// From magnified to somewhat more than a texel a pixel.
+TEST(RasterEqualsExact, ByBlocks) {
+    expect_exact_by_blocks(11, false, [](laws::Dice& dice, const RasterTexture& texture) {
+        const float density = dice.within(.05F, 1.9F);
+        return laid_triangle(dice, texture, density, dice.often(.3));
+    });
+}
+
 /// Some blocks' texels lie within a patch, others not, and others are too far apart or too steep for float32; w is
 /// equal at two or three corners, too.
 TEST(RasterEqualsExact, ByBlocksInPerspective) {
-    laws::Dice dice(12);
-    RasterCounters counters;
-    for (int n = 0; n < 1500; ++n) {
-        const Addresses& texels = repeating_textures()[static_cast<std::size_t>(n % 5)];
-        std::vector<Vertex> vertices;
-        for (int k = dice.whole(1, 10); k-- > 0;) {
-            const bool ties = dice.often(.3);
-            const float density = dice.often(.8) ? dice.within(.05F, 1.9F) : dice.within(1, 8),
-                        steep = dice.often(.8) ? 4 : 100;
-            auto corners = laid_triangle(dice, texels.texture, density, ties);
-            for (Vertex& c : corners) c.w = ties ? static_cast<float>(1 << dice.whole(0, 2)) : dice.within(1, steep);
-            if (dice.often(.2)) corners[1].w = corners[0].w, corners[1].y = corners[0].y;
-            if (ties && dice.often(.3))
-                for (Vertex& c : corners) c.u *= 4, c.v *= 4;
-            vertices.insert(vertices.end(), corners.begin(), corners.end());
-        }
-        RasterJob job = job_of(vertices, texels.texture);
-        job.perspective = true, job.cull_back = n % 7 == 0;
-        expect_exact(texels, job, counters, std::to_string(n));
-        if (HasFatalFailure()) return;
-    }
-    EXPECT_TRUE(!is_supported(SimdLevel::avx512) || counters.by_blocks > 2000U) << counters.by_blocks;
-    EXPECT_GT(counters.in_double, 1000U);
+    expect_exact_by_blocks(12, true, [](laws::Dice& dice, const RasterTexture& texture) {
+        const bool ties = dice.often(.3);
+        const float density = dice.often(.8) ? dice.within(.05F, 1.9F) : dice.within(1, 8),
+                    steep = dice.often(.8) ? 4 : 100;
+        auto corners = laid_triangle(dice, texture, density, ties);
+        for (Vertex& c : corners) c.w = ties ? static_cast<float>(1 << dice.whole(0, 2)) : dice.within(1, steep);
+        if (dice.often(.2)) corners[1].w = corners[0].w, corners[1].y = corners[0].y;
+        if (ties && dice.often(.3))
+            for (Vertex& c : corners) c.u *= 4, c.v *= 4;
+        return corners;
+    });
 }
 
 TEST(RasterEqualsExact, WithTexturesOfAnySizeAndWrap) {
