@@ -76,6 +76,9 @@ struct BlockAxis {
 class AffineBlocks {
 public:
     static constexpr bool kPerspective = false;
+    struct Eights {
+        HWY_INLINE void set_up(const Batch& /*b*/, const Canvas& /*canvas*/) {}
+    };
     /// What the blocks of a window show.
     struct Found : Window {
         alignas(64) uint32_t u[kBlocks], v[kBlocks];    ///< from the patch to where they are least [parts]
@@ -95,7 +98,7 @@ public:
         };
         return fits(b.u, canvas.u_bits) && fits(b.v, canvas.v_bits);
     }
-    HWY_INLINE void set_up(const Batch& b, int t, const Canvas& canvas) {
+    HWY_INLINE void set_up(const Batch& b, int t, const Canvas& canvas, const Eights& /*all*/) {
         u_.set_up(b.u, t, canvas.u_bits), v_.set_up(b.v, t, canvas.v_bits);
         use(b, t, canvas, {});
     }

@@ -133,7 +133,9 @@ public:
         const auto each = [&](auto&& step) HWY_ATTR {
             for (uint32_t m = which; m != 0; m &= m - 1) step(std::countr_zero(m));
         };
-        each([&](int t) HWY_ATTR { at_[t].kind.set_up(b, t, canvas); });
+        if (which == 0) return 0;
+        all_.set_up(b, canvas);
+        each([&](int t) HWY_ATTR { at_[t].kind.set_up(b, t, canvas, all_); });
         Rows rows[kBatch];
         each([&](int t) HWY_ATTR { cross_strips(b, t, canvas, b.row0.at[t], rows[t]); });
         each([&](int t) HWY_ATTR { at_[t].windows.go_to(b, t, canvas, at_[t].kind, b.row0.at[t], rows[t]); });
@@ -147,6 +149,7 @@ public:
     [[nodiscard]] HWY_INLINE BlockDrawing<Kind>& at(int t) { return at_[t]; }
 
 private:
+    typename Kind::Eights all_;
     BlockDrawing<Kind> at_[kBatch];
 };
 

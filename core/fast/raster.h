@@ -32,7 +32,7 @@ struct RasterTexture {
     int apron = 0;  ///< so many texels beyond the end of a row, and rows beyond the last, go on as the texture wraps.
                     ///< With kTexelApron of them triangles are drawn faster; RasterTexels makes them
 };
-inline constexpr int kTexelApron = 8;
+inline constexpr int kTexelApron = 16;
 
 /// What each value of a channel becomes under a light.
 using ChannelTable = std::array<std::uint32_t, 256>;

@@ -35,6 +35,7 @@ struct CoordinateEight {
 struct FloatEight {
     EightInt shift;    ///< it counts in 2^shift units
     EightFloat scale;  ///< 2^-shift
+    Eight low, high;   ///< the least and the most of the corners [units]
     Eight doubt;       ///< bound of the error [units]
     EightInt least;    ///< Certainty::least by it; all bits where too much is in doubt
 };
@@ -335,8 +336,9 @@ HWY_INLINE hn::Mask<Real> set_up_perspective(const Fields& f, const Shape& s, co
         const auto good = hn::And(hn::Gt(least, hn::Add(one_error, one_error)), hn::Lt(largest, hn::Set(r, 0x1p50)));
         const V lost_far = hn::IfThenElse(good, bound, hn::Set(r, 0x1p40));
         hn::Store(lost_far, r, far.at + lane);
-        const V range = hn::Sub(most_of(a0, a1, a2), least_of(a0, a1, a2));
-        const FloatBound<Real> along_rows(r, range, kappa, lost_far);
+        const V low = least_of(a0, a1, a2), high = most_of(a0, a1, a2);
+        hn::Store(low, r, along.low.at + lane), hn::Store(high, r, along.high.at + lane);
+        const FloatBound<Real> along_rows(r, hn::Sub(high, low), kappa, lost_far);
         const Certainty<Real> certainty(r, along_rows.doubt, hn::Zero(r), units.texel, units.per_texel);
         store_int(along_rows.shift, along.shift.at + lane);
         hn::Store(hn::DemoteTo(Narrow{}, along_rows.scale), Narrow{}, along.scale.at + lane);

@@ -146,21 +146,46 @@ TEST(RasterEqualsExact, InEveryPixelOfRandomTriangles) {
 }
 
 /// A triangle as blocks are for: its texture laid over the screen, turned, about `density` texels a pixel. Ties:
-/// samples on borders of texels and on sides.
+/// samples on borders of texels, or as near as float32 rounds thirds, and on sides.
 std::array<Vertex, 3> laid_triangle(laws::Dice& dice, const RasterTexture& texture, float density, bool ties) {
     const float angle = dice.within(0, 6.3F);
     float along = density * std::cos(angle), across = density * std::sin(angle);
-    if (ties) along = static_cast<float>(dice.whole(-8, 8)) / 4, across = static_cast<float>(dice.whole(-4, 4)) / 4;
+    const float part = dice.often(.7) ? 4 : 3;
+    if (ties)
+        along = static_cast<float>(dice.whole(-8, 8)) / part, across = static_cast<float>(dice.whole(-4, 4)) / part;
     const float middle_x = dice.within(-20, kWidth + 20), middle_y = dice.within(-10, kHeight + 10);
-    const float size = dice.often(.5) ? 20 : 200;
+    const float size = dice.often(.5) ? 20 : 200, from = dice.often(.5) ? 3000 : 0;
     std::array<Vertex, 3> corners{};
     for (Vertex& c : corners) {
         c = {middle_x + dice.within(-size, size), middle_y + dice.within(-size, size), 0, 1};
         if (ties) c.x = std::floor(2 * c.x) / 2, c.y = std::floor(2 * c.y) / 2;
-        c.u = (along * c.x - across * c.y + 3000) / static_cast<float>(texture.width);
-        c.v = (across * c.x + along * c.y - 3000) / static_cast<float>(texture.height);
+        c.u = (along * c.x - across * c.y + from) / static_cast<float>(texture.width);
+        c.v = (across * c.x + along * c.y - from) / static_cast<float>(texture.height);
     }
     return corners;
+}
+
+/// Moves u and v of the first corner so that one sample comes within some 2^-15 of a texel to a border, in u and v: so
+/// near that it is for the bounds of float32 to say that they cannot tell.
+void bring_to_border(laws::Dice& dice, const RasterTexture& texture, std::array<Vertex, 3>& c) {
+    const float first = dice.within(.05F, .3F), second = dice.within(0, 1 - first), third = 1 - first - second;
+    const double x = std::floor(first * c[0].x + second * c[1].x + third * c[2].x) + .5,
+                 y = std::floor(first * c[0].y + second * c[1].y + third * c[2].y) + .5;
+    // How much each corner counts at the sample.
+    const auto part = [&](const Vertex& a, const Vertex& b, float w) {
+        return ((double{a.x} - x) * (double{b.y} - y) - (double{b.x} - x) * (double{a.y} - y)) / double{w};
+    };
+    const std::array<double, 3> parts{part(c[1], c[2], c[0].w), part(c[2], c[0], c[1].w), part(c[0], c[1], c[2].w)};
+    const double sum = parts[0] + parts[1] + parts[2];
+    if (!(parts[0] / sum > .02) || parts[1] / sum < 0 || parts[2] / sum < 0) return;  // the sample is outside
+    const auto move = [&](float Vertex::*u, int texels) {
+        const float turns = std::floor(c[0].*u);
+        for (Vertex& corner : c) corner.*u -= turns;
+        const double at = (parts[0] * c[0].*u + parts[1] * c[1].*u + parts[2] * c[2].*u) / sum * texels;
+        const double to = std::round(at) + std::ldexp(double{dice.within(-1, 1)}, -dice.whole(15, 20));
+        c[0].*u = static_cast<float>(double{c[0].*u} + (to - at) / texels * sum / parts[0]);
+    };
+    move(&Vertex::u, texture.width), move(&Vertex::v, texture.height);
 }
 
 /// Textures that repeat, small ones within a triangle and large ones.
@@ -208,12 +233,13 @@ TEST(RasterEqualsExact, ByBlocksInPerspective) {
     expect_exact_by_blocks(12, true, [](laws::Dice& dice, const RasterTexture& texture) {
         const bool ties = dice.often(.3);
         const float density = dice.often(.8) ? dice.within(.05F, 1.9F) : dice.within(1, 8),
-                    steep = dice.often(.8) ? 4 : 100;
+                    steep = dice.often(.7) ? 4 : std::exp2(dice.within(2, 10));
         auto corners = laid_triangle(dice, texture, density, ties);
         for (Vertex& c : corners) c.w = ties ? static_cast<float>(1 << dice.whole(0, 2)) : dice.within(1, steep);
         if (dice.often(.2)) corners[1].w = corners[0].w, corners[1].y = corners[0].y;
         if (ties && dice.often(.3))
             for (Vertex& c : corners) c.u *= 4, c.v *= 4;
+        if (!ties && dice.often(.7)) bring_to_border(dice, texture, corners);
         return corners;
     });
 }
