@@ -7,9 +7,7 @@
 #define TEXELSCOPE_AFFINE_BLOCKS_INL
 #endif
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
 
 #include "core/fast/blocks-inl.h"
 
@@ -24,44 +22,81 @@ constexpr double kPartsInTexel = 0x1p32 / kPatch;
 /// What follows the texel's bits, modulo a patch.
 constexpr uint32_t kInTexel = ~0U >> kPatchBits;
 
-/// u or v of an affine triangle's blocks. They are counted in units of Canvas::addressing, and modulo a patch in parts
-/// of 2^32, which are finer: what rounding to whole ones loses is hardly ever in doubt.
-struct BlockAxis {
-    int shift;            ///< of units to texels
-    double parts;         ///< in a unit
-    double to_least;      ///< from a block's first sample to where none is at less [units]
-    double bias;          ///< Certain::bias [units]
-    uint32_t least_rest;  ///< Certain::least
-    Samples lanes;        ///< of each sample from there [parts]; the lowest bit is set
-    Samples tested;       ///< if one of these bits is set, the texel is certain
+/// What makes texels of affine blocks certain, of one triangle or of eight. They are counted in units of
+/// Canvas::addressing, and modulo a patch in parts of 2^32, which are finer: what rounding to whole ones loses is
+/// hardly ever in doubt.
+template <class D>
+struct BlockCertainty {
+    hn::Vec<D> bias;    ///< Certainty::bias [units]
+    hn::Vec<D> least;   ///< Certainty::least [parts of 2^32 of a texel]
+    hn::Vec<D> tested;  ///< if one of these bits is set, the texel is certain
 
-    HWY_INLINE void set_up(const CoordinateEight& u, int t, int bits) {
-        const Block p;
-        shift = 32 - bits, parts = static_cast<double>(int64_t{1} << (bits - kPatchBits));
-        const double x = u.plane.x.at[t], y = u.plane.y.at[t];
-        // A quarter of a texel less: the doubts of both.
-        to_least =
-            (std::min(x, 0.0) + std::min(y, 0.0)) * (kBlock - 1) - static_cast<double>(int64_t{1} << (shift - 2));
-        const auto in_parts = [&](double a) HWY_ATTR {
-            return hn::Set(p, static_cast<uint32_t>(std::bit_cast<uint64_t>(a * parts + kWholeDouble)));
-        };
-        const auto right = hn::Mul(place_of_lane(), in_parts(x)), down = hn::Mul(four_of_lane(), in_parts(y));
-        lanes = hn::Or(hn::Add(hn::Add(right, down), in_parts(-to_least)), hn::Set(p, 1));
-    }
     /// @param unsure    bound of what double has lost [units]
     /// @param half_gap  as Certainty has it [units]
-    HWY_INLINE void use(double unsure, double half_gap) {
-        const One d;
+    /// @param parts     in a unit
+    HWY_INLINE BlockCertainty(D d, hn::Vec<D> unsure, hn::Vec<D> half_gap, double parts) {
         // What is rounded to whole parts: a block's least, how far its first sample is from there, that by its lowest
         // bit, too, and three steps each to the right and down.
-        const Certainty<One> c(d, hn::Set(d, unsure * parts + 6), hn::Set(d, half_gap * parts),
-                               hn::Set(d, kPartsInTexel), hn::Set(d, kPatch));
-        bias = hn::GetLane(c.bias) * static_cast<double>(int64_t{1} << shift) * (1 / kPartsInTexel);
-        least_rest = static_cast<uint32_t>(hn::GetLane(c.least));
+        const auto in_unit = hn::Set(d, parts);
+        const Certainty<D> c(d, hn::MulAdd(unsure, in_unit, hn::Set(d, 6.0)), hn::Mul(half_gap, in_unit),
+                             hn::Set(d, kPartsInTexel), hn::Set(d, double{kPatch}));
+        bias = hn::Mul(c.bias, hn::Set(d, 1 / parts)), least = c.least;
         // The certificate asks for no more than that, rounded up to a power of two: for nothing but the lowest bit
         // where it is 0.
-        const uint32_t doubtful = std::bit_ceil(std::max(2U, (least_rest >> kPatchBits) + 1));
-        tested = hn::Set(Block{}, least_rest == 0 ? 1 : kInTexel & ~(doubtful - 1));
+        const auto none = hn::Eq(least, hn::Zero(d));
+        const auto asked = hn::IfThenElse(none, hn::Set(d, 1.0), hn::Mul(least, hn::Set(d, 1.0 / kPatch)));
+        const auto doubtful = power_of_two(d, hn::Add(exponent_of(d, asked), hn::Set(d, 1.0)));
+        tested = hn::IfThenElse(none, hn::Set(d, 1.0), hn::Sub(hn::Set(d, kInTexel + 1.0), doubtful));
+    }
+};
+
+/// u or v over the blocks of eight affine triangles, computed side by side.
+struct BlockAxisEight {
+    Eight to_least;                   ///< from a block's first sample to where none is at less [units]
+    Eight first;                      ///< there, in the box' first block, and the bias [units]
+    EightInt right, down, to_sample;  ///< the steps, and back to the block's first sample [parts]
+    EightInt least_rest, tested;      ///< BlockCertainty's
+
+    HWY_INLINE void set_up(const CoordinateEight& u, double texel, double parts) {
+        const Real d;
+        const V x = hn::Load(d, u.plane.x.at), y = hn::Load(d, u.plane.y.at), in_unit = hn::Set(d, parts);
+        const V zero = hn::Zero(d);
+        // A quarter of a texel less: the doubts of both.
+        const V least =
+            hn::MulSub(hn::Add(hn::Min(x, zero), hn::Min(y, zero)), hn::Set(d, kBlock - 1.0), hn::Set(d, texel / 4));
+        const BlockCertainty<Real> certainty(d, hn::Load(d, u.unsure.at), zero, parts);
+        hn::Store(least, d, to_least.at);
+        hn::Store(hn::Add(hn::Load(d, u.plane.at.at), hn::Add(certainty.bias, least)), d, first.at);
+        store_fraction(hn::Mul(x, in_unit), right.at), store_fraction(hn::Mul(y, in_unit), down.at);
+        store_fraction(hn::Mul(hn::Neg(least), in_unit), to_sample.at);
+        store_fraction(certainty.least, least_rest.at), store_fraction(certainty.tested, tested.at);
+    }
+};
+
+/// u or v of one of them.
+struct BlockAxis {
+    int shift;     ///< of units to texels
+    double parts;  ///< in a unit
+    double first;  ///< as BlockAxisEight has it
+    uint32_t least_rest;
+    Samples lanes;  ///< of each sample from there [parts]; the lowest bit is set
+    Samples tested;
+
+    HWY_INLINE void set_up(const BlockAxisEight& all, int t, int bits) {
+        const Block p;
+        const auto of = [&](const EightInt& a) HWY_ATTR { return hn::Set(Block{}, static_cast<uint32_t>(a.at[t])); };
+        shift = shift_of(bits), parts = parts_of(bits), first = all.first.at[t];
+        const auto right = hn::Mul(place_of_lane(), of(all.right)), down = hn::Mul(four_of_lane(), of(all.down));
+        lanes = hn::Or(hn::Add(hn::Add(right, down), of(all.to_sample)), hn::Set(p, 1));
+        least_rest = static_cast<uint32_t>(all.least_rest.at[t]), tested = of(all.tested);
+    }
+    /// Once ties are known: BlockCertainty's half of the gap.
+    HWY_INLINE void use(const CoordinateEight& u, const BlockAxisEight& all, int t, double half_gap) {
+        const One d;
+        const BlockCertainty<One> certainty(d, hn::Set(d, u.unsure.at[t]), hn::Set(d, half_gap), parts);
+        const auto whole = [](hn::Vec<One> a) HWY_ATTR { return static_cast<uint32_t>(hn::GetLane(a)); };
+        first = u.plane.at.at[t] + (hn::GetLane(certainty.bias) + all.to_least.at[t]);
+        least_rest = whole(certainty.least), tested = hn::Set(Block{}, whole(certainty.tested));
     }
     /// Samples of a block that are in doubt.
     [[nodiscard]] HWY_INLINE uint32_t unsure(uint32_t block) const {
@@ -70,15 +105,28 @@ struct BlockAxis {
         return bits_of(p, hn::Lt(rest, hn::Set(p, least_rest)));
     }
     [[nodiscard]] HWY_INLINE bool sure() const { return least_rest == 0; }
+
+    static HWY_INLINE int shift_of(int bits) { return 32 - bits; }
+    static HWY_INLINE double parts_of(int bits) { return static_cast<double>(int64_t{1} << (bits - kPatchBits)); }
+};
+
+/// Eight affine triangles over their blocks.
+struct AffineEight {
+    BlockAxisEight u, v;
+
+    HWY_INLINE void set_up(const Batch& b, const Canvas& canvas) {
+        const auto axis = [](const CoordinateEight& from, int bits, BlockAxisEight& out) HWY_ATTR {
+            out.set_up(from, static_cast<double>(int64_t{1} << BlockAxis::shift_of(bits)), BlockAxis::parts_of(bits));
+        };
+        axis(b.u, canvas.u_bits, u), axis(b.v, canvas.v_bits, v);
+    }
 };
 
 /// An affine triangle's blocks.
 class AffineBlocks {
 public:
     static constexpr bool kPerspective = false;
-    struct Eights {
-        HWY_INLINE void set_up(const Batch& /*b*/, const Canvas& /*canvas*/) {}
-    };
+    using Eights = AffineEight;
     /// What the blocks of a window show.
     struct Found : Window {
         alignas(64) uint32_t u[kBlocks], v[kBlocks];    ///< from the patch to where they are least [parts]
@@ -86,40 +134,41 @@ public:
         static constexpr uint32_t far = 0, beyond = 0;  ///< all patches hold their texels: serves()
     };
 
-    /// Whether the patch of any block of the triangle holds all of its texels. They spread over what u and v change
-    /// from one corner of it to the opposite one, and twice the doubt at each of these two: Certainty lets the doubt be
-    /// no more than an eighth of a texel.
-    [[nodiscard]] static HWY_INLINE bool serves(const Batch& b, int t, const Canvas& canvas) {
-        const auto fits = [&](const CoordinateEight& u, int bits) {
-            const double spread = (std::abs(u.plane.x.at[t]) + std::abs(u.plane.y.at[t])) * (kBlock - 1);
+    /// Of which triangles the patch of any block holds all of its texels. They spread over what u and v change from one
+    /// corner of it to the opposite one, and twice the doubt at each of these two: Certainty lets the doubt be no more
+    /// than an eighth of a texel.
+    [[nodiscard]] static HWY_INLINE hn::Mask<Real> serves(const Batch& b, const Canvas& canvas) {
+        const auto fits = [&](const CoordinateEight& u, int bits) HWY_ATTR {
+            const Real d;
+            if (bits <= kPatchBits) return hn::FirstN(d, 0);
+            const double texel = static_cast<double>(int64_t{1} << BlockAxis::shift_of(bits));
+            const V spread = hn::Add(hn::Abs(hn::Load(d, u.plane.x.at)), hn::Abs(hn::Load(d, u.plane.y.at)));
             // In double parts are whole up to 2^51: 24 half ulps of 2^45 are 2^-3.
-            const double texel = static_cast<double>(int64_t{1} << (32 - bits)), parts = kPartsInTexel / texel;
-            return bits > kPatchBits && u.unsure.at[t] * parts < .125 && spread <= (kPatch - 1.5) * texel;
+            return hn::And(hn::Lt(hn::Load(d, u.unsure.at), hn::Set(d, .125 * texel / kPartsInTexel)),
+                           hn::Le(spread, hn::Set(d, (kPatch - 1.5) * texel / (kBlock - 1))));
         };
-        return fits(b.u, canvas.u_bits) && fits(b.v, canvas.v_bits);
+        return hn::And(fits(b.u, canvas.u_bits), fits(b.v, canvas.v_bits));
     }
-    HWY_INLINE void set_up(const Batch& b, int t, const Canvas& canvas, const Eights& /*all*/) {
-        u_.set_up(b.u, t, canvas.u_bits), v_.set_up(b.v, t, canvas.v_bits);
-        use(b, t, canvas, {});
+    HWY_INLINE void set_up(int t, const Canvas& canvas, const AffineEight& all) {
+        all_ = &all, u_.set_up(all.u, t, canvas.u_bits), v_.set_up(all.v, t, canvas.v_bits);
     }
     HWY_INLINE void use(const Batch& b, int t, const Canvas& /*canvas*/, const HalfGaps& gaps) {
-        u_.use(b.u.unsure.at[t], gaps.u), v_.use(b.v.unsure.at[t], gaps.v);
+        u_.use(b.u, all_->u, t, gaps.u), v_.use(b.v, all_->v, t, gaps.v);
     }
     /// Whether no sample needs a test.
     [[nodiscard]] HWY_INLINE bool sure() const { return u_.sure() && v_.sure(); }
 
     /// Goes to the strips the blocks of whose first window's left half begin at these pixels of the box.
-    HWY_INLINE void go_to(const Batch& b, int t, int /*row*/, const Rows& /*rows*/, const Doubles& right,
-                          const Doubles& down) {
+    HWY_INLINE void go_to(const Batch& b, int t, const Doubles& right, const Doubles& down) {
         const auto start = [&](const CoordinateEight& u, const BlockAxis& axis, Doubles& at) HWY_ATTR {
             const Real d;
-            const V first = hn::Set(d, u.plane.at.at[t] + (axis.bias + axis.to_least)), y = hn::Set(d, u.plane.y.at[t]);
+            const V first = hn::Set(d, axis.first), y = hn::Set(d, u.plane.y.at[t]);
             at = {hn::MulAdd(down.low, y, first), hn::MulAdd(down.high, y, first)};
         };
         right_ = right, start(b.u, u_, u_at_), start(b.v, v_, v_at_);
     }
     /// What the next window's blocks show.
-    HWY_INLINE void find(const Batch& b, int t, const Canvas& canvas, bool both, bool /*more*/, Found& found) {
+    HWY_INLINE void find(const Batch& b, int t, const Canvas& canvas, bool both, Found& found) {
         find_half(b, t, canvas, right_, 0, found);
         if (both) find_half(b, t, canvas, moved(right_, kHalfWidth), kHalf, found);
         right_ = moved(right_, kWindowWidth);
@@ -174,6 +223,7 @@ private:
         hn::Store(hn::Add(hn::Mul(v, pitch), u), p, found.texel + first);
     }
 
+    const AffineEight* all_;
     BlockAxis u_, v_;
     Doubles right_;        ///< columns of the box where the blocks of the next window's left half begin
     Doubles u_at_, v_at_;  ///< at column 0 of their rows, moved to the least of a block and by the bias [units]

@@ -21,13 +21,17 @@ namespace HWY_NAMESPACE {
 
 #if HWY_TARGET <= HWY_AVX3
 
-/// Whether blocks are faster than rows: of a block that no more than a third of is inside, rows store less.
+/// Bit t: of triangle t blocks are faster than rows. Of a block that no more than a third of is inside, rows store
+/// less.
 template <class Kind>
-HWY_INLINE bool is_by_blocks(const Batch& b, int t, const Canvas& canvas) {
-    const int widest = b.widest.at[t];
-    if (widest < kLeastWide) return false;
-    const int64_t samples = int64_t{widest} * (b.row1.at[t] - b.row0.at[t]);
-    return samples >= int64_t{kBlock} * (b.column1.at[t] - b.column0.at[t]) && Kind::serves(b, t, canvas);
+HWY_INLINE uint32_t by_blocks(const Batch& b, const Canvas& canvas) {
+    const Real d;
+    const auto whole = [](const EightInt& a) HWY_ATTR { return hn::PromoteTo(Real{}, hn::Load(Index{}, a.at)); };
+    const V widest = whole(b.widest);
+    const V samples = hn::Mul(widest, hn::Sub(whole(b.row1), whole(b.row0)));
+    const V least = hn::Mul(hn::Sub(whole(b.column1), whole(b.column0)), hn::Set(d, double{kBlock}));
+    const auto wide = hn::And(hn::Ge(widest, hn::Set(d, double{kLeastWide})), hn::Ge(samples, least));
+    return bits_of(d, hn::And(wide, Kind::serves(b, canvas)));
 }
 
 /// The unsure texels of some blocks. Returns as mend() does; false with `only_double` also where the rows so far have
@@ -127,15 +131,14 @@ class BlockDrawings {
 public:
     /// Those of `which` that are.
     HWY_NOINLINE uint32_t find(const Batch& b, uint32_t which, const Canvas& canvas) {
-        for (uint32_t m = which; m != 0; m &= m - 1)
-            if (!is_by_blocks<Kind>(b, std::countr_zero(m), canvas)) which &= ~(m & -m);
+        which &= by_blocks<Kind>(b, canvas);
+        if (which == 0) return 0;
         // One step of all after another: each is a chain of few instructions that wait for each other.
         const auto each = [&](auto&& step) HWY_ATTR {
             for (uint32_t m = which; m != 0; m &= m - 1) step(std::countr_zero(m));
         };
-        if (which == 0) return 0;
         all_.set_up(b, canvas);
-        each([&](int t) HWY_ATTR { at_[t].kind.set_up(b, t, canvas, all_); });
+        each([&](int t) HWY_ATTR { at_[t].kind.set_up(t, canvas, all_); });
         Rows rows[kBatch];
         each([&](int t) HWY_ATTR { cross_strips(b, t, canvas, b.row0.at[t], rows[t]); });
         each([&](int t) HWY_ATTR { at_[t].windows.go_to(b, t, canvas, at_[t].kind, b.row0.at[t], rows[t]); });

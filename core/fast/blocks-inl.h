@@ -100,7 +100,7 @@ public:
         out_ = hn::BitCast(p, hn::Add(hn::Mul(strip, hn::Set(s, static_cast<int32_t>(canvas.target.pitch))), x));
         const Doubles right = promote(hn::BitCast(p, hn::Sub(x, hn::Set(s, b.column0.at[t]))));
         const Doubles down = promote(hn::BitCast(p, hn::Add(strip, hn::Set(s, row - b.row0.at[t]))));
-        kind.go_to(b, t, row, rows, right, down);
+        kind.go_to(b, t, right, down);
         row_ = row;
     }
 
@@ -125,7 +125,7 @@ public:
         window.wholes = b.widest.at[t] < kLeastWhole ? 0 : wholes, window.parts = some & ~window.wholes;
         window.row = row_, window.samples = columns_ <= kWindowWidth ? samples_ : 0;
 
-        kind.find(b, t, canvas, both, columns_ > kWindowWidth, window);
+        kind.find(b, t, canvas, both, window);
         out_ = hn::Add(out_, hn::Set(p, kWindowWidth));
         first_ = hn::Sub(first_, hn::Set(s, kWindowWidth)), end_ = hn::Sub(end_, hn::Set(s, kWindowWidth));
         columns_ -= kWindowWidth;

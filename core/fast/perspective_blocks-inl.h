@@ -56,15 +56,18 @@ public:
         uint32_t beyond;  ///< bit n: float32 cannot tell them, either
     };
 
-    /// Whether what double loses is nothing beside float32's losses. Where rows need no division, they are faster.
-    [[nodiscard]] static HWY_INLINE bool serves(const Batch& b, int t, const Canvas& canvas) {
-        if (b.one.x.at[t] == 0 && canvas.settings->skip(RasterSkip::level_w)) return false;
-        const auto fits = [](double far, int bits) HWY_ATTR {
-            return bits > kPatchBits && far * 4 * kParts < .0625 * static_cast<double>(int64_t{1} << (32 - bits));
+    /// Of which triangles what double loses is nothing beside float32's losses. Where rows need no division, they are
+    /// faster.
+    [[nodiscard]] static HWY_INLINE hn::Mask<Real> serves(const Batch& b, const Canvas& canvas) {
+        const auto fits = [](const Eight& far, int bits) HWY_ATTR {
+            const double texel = static_cast<double>(int64_t{1} << (32 - bits));
+            return hn::Lt(hn::Load(Real{}, far.at), hn::Set(Real{}, bits > kPatchBits ? texel / kParts / 64 : 0));
         };
-        return fits(b.u_far.at[t], canvas.u_bits) && fits(b.v_far.at[t], canvas.v_bits);
+        const auto all = hn::And(fits(b.u_far, canvas.u_bits), fits(b.v_far, canvas.v_bits));
+        if (!canvas.settings->skip(RasterSkip::level_w)) return all;
+        return hn::And(all, hn::Ne(hn::Load(Real{}, b.one.x.at), hn::Zero(Real{})));
     }
-    HWY_INLINE void set_up(const Batch& /*b*/, int t, const Canvas& /*canvas*/, const PerspectiveEight& all) {
+    HWY_INLINE void set_up(int t, const Canvas& /*canvas*/, const PerspectiveEight& all) {
         all_ = &all, t_ = t;
         one_lanes_ = lanes_of(all.one), u_lanes_ = lanes_of(all.u), v_lanes_ = lanes_of(all.v);
         u_tested_ = v_tested_ = kTested;
@@ -80,8 +83,7 @@ public:
     /// Whether no sample needs a test.
     [[nodiscard]] HWY_INLINE bool sure() const { return (u_tested_ & v_tested_ & kAlways) != 0; }
 
-    HWY_INLINE void go_to(const Batch& /*b*/, int /*t*/, int /*row*/, const Rows& /*rows*/, const Doubles& right,
-                          const Doubles& down) {
+    HWY_INLINE void go_to(const Batch& /*b*/, int /*t*/, const Doubles& right, const Doubles& down) {
         const V middle = hn::Set(Real{}, kToMiddle);
         right_ = {hn::Add(right.low, middle), hn::Add(right.high, middle)};
         const Doubles y{hn::Add(down.low, middle), hn::Add(down.high, middle)};
@@ -92,7 +94,7 @@ public:
         };
         one_at_ = at_strips(all_->one), u_at_ = at_strips(all_->u), v_at_ = at_strips(all_->v);
     }
-    HWY_INLINE void find(const Batch& /*b*/, int /*t*/, const Canvas& canvas, bool both, bool /*more*/, Found& found) {
+    HWY_INLINE void find(const Batch& /*b*/, int /*t*/, const Canvas& canvas, bool both, Found& found) {
         found.far = found.beyond = 0;
         const uint32_t some = found.parts | found.wholes;
         find_half(canvas, right_, some & 0xFFFF, 0, found);
