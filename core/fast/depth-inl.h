@@ -23,11 +23,13 @@ public:
         : at_(b.z.at.at[t] + (row - b.row0.at[t]) * b.z.y.at[t]),
           x_(b.z.x.at[t]),
           unsure_(b.z_unsure.at[t]),
-          column0_(b.column0.at[t]) {}
+          column0_(b.column0.at[t]),
+          level_(b.level_z.at[t] != 0) {}
 
     /// z of the pixels from x on, those of `in` right.
     [[nodiscard]] HWY_INLINE hn::Vec<Float> at(int x, int y, hn::Mask<Tag> in, Again& again) const {
         const Float f;
+        if (level_) return hn::Set(f, static_cast<float>(at_));
         const double first = at_ + (x - column0_) * x_;
         const auto low = from(first - unsure_), high = from(first + unsure_);
         const auto doubt = hn::And(hn::RebindMask(f, in), hn::Ne(low, high));
@@ -58,6 +60,7 @@ private:
 
     double at_, x_, unsure_;
     int column0_;
+    bool level_;
 };
 
 /// The pixels of `in` from x on, of row y, which pass the depth test; it is left nearer.

@@ -71,12 +71,13 @@ enum class RasterSkip : std::uint8_t {
     level_w,        ///< a division a pixel where w stays along rows, as on floors
     zero_gradient,  ///< looking up a row's texels where neither u nor v changes along it
     one_texel,      ///< looking up texels where all corners lie in the same one
+    level_z,        ///< a depth a pixel where all corners are equally deep
 };
 struct RasterSkipInfo {
     RasterSkip skip;
     std::string_view id, sentence;
 };
-inline constexpr std::array<RasterSkipInfo, 9> kRasterSkips{{
+inline constexpr std::array<RasterSkipInfo, 10> kRasterSkips{{
     {RasterSkip::off_screen, "off-screen", "Triangles outside the picture are dropped before they are set up."},
     {RasterSkip::no_sample, "no-sample", "Triangles whose box lies between samples are dropped before set-up."},
     {RasterSkip::zero_area, "zero-area", "Triangles without area are dropped before set-up."},
@@ -88,6 +89,7 @@ inline constexpr std::array<RasterSkipInfo, 9> kRasterSkips{{
     {RasterSkip::zero_gradient, "zero-gradient",
      "Without depth, rows of wide triangles along which u and v stay are filled with one texel."},
     {RasterSkip::one_texel, "one-texel", "Triangles whose corners lie in one texel are filled with it."},
+    {RasterSkip::level_z, "level-z", "Triangles with equal depth at all corners compare it without computing it."},
 }};
 
 inline constexpr int kMaxRasterThreads = 64;

@@ -61,7 +61,8 @@ struct Batch {
     Eight u_far, v_far;              ///< bound of what double has lost of u and v [units]
     FloatEight u_along, v_along;     ///< where rows are narrow
     PlaneEight z;
-    Eight z_unsure;  ///< bound of what double has lost of z
+    Eight z_unsure;    ///< bound of what double has lost of z
+    EightInt level_z;  ///< z is the same all over, and that is made use of
 };
 
 /// Whether the coordinate is a multiple of 2^-8 below 2^13.
@@ -448,6 +449,8 @@ HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
             nothing = hn::Add(nothing, nothing_of(z0, z1, z2));
             const auto level = hn::And(hn::Eq(z0, z1), hn::Eq(z0, z2));
             hn::Store(hn::IfThenZeroElse(level, hn::Max(unsure, hn::Set(d, 0x1p-149))), d, batch.z_unsure.at + lane);
+            const V used = hn::Set(d, canvas.settings->skip(RasterSkip::level_z) ? 1.0 : 0.0);
+            store_int(hn::IfThenElseZero(level, used), batch.level_z.at + lane);
         }
         bool has_rows = true;
         if (!canvas.job->depth && !canvas.job->perspective) {

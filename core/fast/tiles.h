@@ -21,7 +21,15 @@ public:
     explicit DepthTiles(const RasterTarget& target)
         : target_(target),
           columns_((target.width + kSide - 1) / kSide),
-          tiles_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>((target.height + kSide - 1) / kSide)) {}
+          farthest_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>((target.height + kSide - 1) / kSide),
+                    std::numeric_limits<float>::infinity()),
+          written_(farthest_.size(), kEnough) {}
+
+    static constexpr int kBits = 4, kSide = 1 << kBits;  ///< of a tile [px]
+
+    /// No depth of a tile is farther; row by row, columns() in each.
+    [[nodiscard]] const float* farthest() const { return farthest_.data(); }
+    [[nodiscard]] int columns() const { return columns_; }
 
     /// Nothing that is `nearest` or farther passes LESS anywhere in the box.
     [[nodiscard]] bool hides(const PixelBox& box, float nearest) {
@@ -35,28 +43,23 @@ public:
         const int most = std::min(box.x1 - box.x0, kSide) * std::min(box.y1 - box.y0, kSide);
         for (int y = box.y0 / kSide; y <= (box.y1 - 1) / kSide; ++y)
             for (int x = box.x0 / kSide; x <= (box.x1 - 1) / kSide; ++x) {
-                int& written = at(x, y).written;
+                int& written = written_[index(x, y)];
                 written = std::min(kEnough, written + most);
             }
     }
 
 private:
-    static constexpr int kSide = 16;
     /// So many pixels drawn over a tile, four times all it has, are likely to have changed its farthest depth:
     /// measured.
     static constexpr int kEnough = 4 * kSide * kSide;
-    struct Tile {
-        float farthest = std::numeric_limits<float>::infinity();  ///< no depth of the tile is farther
-        int written = kEnough;                                    ///< pixels since `farthest` was found, at most
-    };
-    [[nodiscard]] Tile& at(int x, int y) {
-        return tiles_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)];
+    [[nodiscard]] std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
     }
 
     [[nodiscard]] bool hides(int x, int y, float nearest) {
-        Tile& tile = at(x, y);
-        if (nearest >= tile.farthest) return true;
-        if (tile.written < kEnough) return false;
+        const std::size_t tile = index(x, y);
+        if (nearest >= farthest_[tile]) return true;
+        if (written_[tile] < kEnough) return false;
         std::array<float, kSide> columns;  // of which compilers make vectors
         columns.fill(-std::numeric_limits<float>::infinity());
         const int width = std::min(kSide, target_.width - x * kSide), y1 = std::min((y + 1) * kSide, target_.height);
@@ -69,14 +72,14 @@ private:
                 for (int n = 0; n < width; ++n)
                     columns[static_cast<std::size_t>(n)] = std::max(columns[static_cast<std::size_t>(n)], line[n]);
         }
-        const float farthest = *std::max_element(columns.begin(), columns.end());
-        tile = {farthest, 0};
-        return nearest >= farthest;
+        farthest_[tile] = *std::max_element(columns.begin(), columns.end()), written_[tile] = 0;
+        return nearest >= farthest_[tile];
     }
 
     RasterTarget target_;
     int columns_;
-    std::vector<Tile> tiles_;
+    std::vector<float> farthest_;
+    std::vector<int> written_;  ///< pixels drawn over a tile since its farthest depth was found, at most
 };
 
 }  // namespace texelscope

@@ -109,6 +109,7 @@ HWY_INLINE void flush(Batch& batch, int& count, const Canvas& canvas) {
         else
             draw_slowly(batch.index.at[t], canvas);
         if constexpr (kDepth) {
+            canvas.counters->of(RasterSkip::level_z) += static_cast<uint64_t>(batch.level_z.at[t]);
             const PixelBox box{batch.column0.at[t], batch.row0.at[t], batch.column1.at[t], batch.row1.at[t]};
             if (box.x0 < box.x1 && box.y0 < box.y1) canvas.tiles->touch(box);
         }
@@ -316,6 +317,32 @@ HWY_INLINE bool is_hidden(const Looked& looked, int lane, const Canvas& canvas) 
     return true;
 }
 
+/// Drops those that the tiles which they meet, as they are known, hide: small ones, which meet four at most.
+HWY_INLINE void drop_hidden(const Canvas& canvas, Looked& looked) {
+    const Narrow f;
+    const Index i;
+    if (!canvas.settings->skip(RasterSkip::hidden)) return;
+    const auto load = [](const EightInt& a) HWY_ATTR { return hn::Load(Index{}, a.at); };
+    const auto x0 = load(looked.column0), x1 = load(looked.column1), y0 = load(looked.row0), y1 = load(looked.row1);
+    const auto some = hn::And(hn::Lt(x0, x1), hn::Lt(y0, y1));
+    const auto one = hn::Set(i, 1);
+    const auto tile = [&](hn::Vec<Index> pixel)
+                          HWY_ATTR { return hn::IfThenElseZero(some, hn::ShiftRight<DepthTiles::kBits>(pixel)); };
+    const auto left = tile(x0), right = tile(hn::Sub(x1, one)), top = tile(y0), bottom = tile(hn::Sub(y1, one));
+    const auto two = hn::Set(i, 2);
+    const auto small = hn::And(hn::Lt(hn::Sub(right, left), two), hn::Lt(hn::Sub(bottom, top), two));
+    const auto pitch = hn::Set(i, canvas.tiles->columns());
+    const auto upper = hn::Mul(top, pitch), lower = hn::Mul(bottom, pitch);
+    const auto farthest = [&](hn::Vec<Index> row, hn::Vec<Index> column) HWY_ATTR {
+        return hn::GatherIndex(Narrow{}, canvas.tiles->farthest(), hn::Add(row, column));
+    };
+    const auto far = hn::Max(hn::Max(farthest(upper, left), farthest(upper, right)),
+                             hn::Max(farthest(lower, left), farthest(lower, right)));
+    const auto behind = hn::Ge(hn::Load(f, looked.nearest.at), far);
+    const uint32_t hidden = looked.keep & looked.fine & bits_of(f, behind) & bits_of(i, hn::And(some, small));
+    looked.keep &= ~hidden, canvas.counters->of(RasterSkip::hidden) += static_cast<uint64_t>(std::popcount(hidden));
+}
+
 /// Fetches what a small triangle will be drawn over: before it is set up, others are looked at.
 HWY_INLINE void fetch_ahead(const Looked& looked, int lane, const Canvas& canvas) {
     constexpr int kMostRows = 16;
@@ -334,7 +361,8 @@ HWY_INLINE void draw_triangles(const Canvas& canvas) {
     Batch batch;
     Looked looked;
     int waiting = 0;
-    while (queue.next<kDepth>(looked))
+    while (queue.next<kDepth>(looked)) {
+        if constexpr (kDepth) drop_hidden(canvas, looked);
         for (uint32_t mask = looked.keep; mask != 0; mask &= mask - 1) {
             const int lane = std::countr_zero(mask), triangle = looked.index.at[lane];
             if ((looked.fine >> lane & 1) == 0) {
@@ -348,6 +376,7 @@ HWY_INLINE void draw_triangles(const Canvas& canvas) {
             batch.index.at[waiting++] = triangle;
             if (waiting == kBatch) flush<kAddressing, kDepth, kCertain>(batch, waiting, canvas);
         }
+    }
     flush<kAddressing, kDepth, kCertain>(batch, waiting, canvas);
 }
 

@@ -396,7 +396,7 @@ TEST(RasterThreads, LookAtEachTriangleOnce) {
 TEST(RasterSkips, ChangeNoPixel) {
     laws::Dice dice(6);
     const Addresses& texels = textures()[0];
-    std::uint64_t level = 0, single = 0, floors = 0, flat = 0;
+    std::uint64_t level = 0, single = 0, floors = 0, flat = 0, deep = 0;
     for (int n = 0; n < 40; ++n) {
         std::vector<Vertex> vertices;
         for (int k = 0; k < 60; ++k) {
@@ -431,12 +431,46 @@ TEST(RasterSkips, ChangeNoPixel) {
         for (const RasterSkip skip : {RasterSkip::off_screen, RasterSkip::zero_area, RasterSkip::back_face})
             EXPECT_GT(with.of(skip), 0U) << static_cast<int>(skip);
         level += with.of(RasterSkip::zero_gradient), single += with.of(RasterSkip::one_texel),
-            floors += with.of(RasterSkip::level_w);
+            floors += with.of(RasterSkip::level_w), deep += with.of(RasterSkip::level_z);
+        EXPECT_TRUE(job.depth || with.of(RasterSkip::level_z) == 0);
     }
     EXPECT_GT(single, 0U);
     EXPECT_GT(floors, 0U);
     EXPECT_GT(flat, 0U);
+    EXPECT_GT(deep, 0U);
     EXPECT_GT(level, 0U) << "of wide triangles only, without depth";
+}
+
+void add_square(std::vector<Vertex>& to, float x, float y, float size, float z) {
+    const auto corner = [&](float right, float down) {
+        return Vertex{x + right * size, y + down * size, z, 1, right / 4, down / 4};
+    };
+    for (const Vertex& c : {corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 0), corner(1, 1), corner(0, 1)})
+        to.push_back(c);
+}
+
+/// Three of the four tiles that a small square meets are covered by something nearer: what lies in the fourth is seen.
+TEST(RasterSkips, HideNothingThatOneOfFourTilesShows) {
+    const Addresses& texels = textures()[0];
+    for (int open = 0; open < 4; ++open) {
+        std::vector<Vertex> vertices;
+        const auto tile = [&](int n, float inset, float size, float z) {
+            add_square(vertices, static_cast<float>(16 + 16 * (n % 2)) + inset,
+                       static_cast<float>(16 * (n / 2)) + inset, size, z);
+        };
+        for (int round = 0; round < 8; ++round)  // until it is asked again how far each tile's depths are
+            for (int n = 0; n < 4; ++n) {
+                if (n != open) tile(n, 0, 16, .3F - .01F * static_cast<float>(round));
+                tile(n, 2, 4, n == open ? .1F : .7F);
+            }
+        for (int round = 0; round < 8; ++round) add_square(vertices, 24, 8, 16, .5F);
+        RasterJob job = job_of(vertices, texels.texture);
+        job.depth = true;
+        RasterCounters counters;
+        const Picture is = drawn(texels.texture, job, counters);
+        EXPECT_EQ(is, decided(texels.texture, job)) << "tile " << open;
+        EXPECT_GE(counters.of(RasterSkip::hidden), 30U);
+    }
 }
 
 }  // namespace
