@@ -101,6 +101,7 @@ public:
         if (both) find_half(canvas, moved(right_, kHalfWidth), some >> kHalf, kHalf, found);
         right_ = moved(right_, kWindowWidth);
     }
+    /// Draws the blocks whose bits are set and whose texels fit a patch. False: some of their texels are unsure.
     template <bool kWholeBlock, bool kCertain>
     HWY_INLINE bool put(const Found& found, uint32_t which, const Canvas& canvas) const {
         const Block p;
@@ -198,10 +199,10 @@ private:
         const SampleFloats r{_mm512_rcp14_ps(a.raw)};
         return hn::Mul(r, hn::NegMulAdd(a, r, hn::Set(BlockFloat{}, 2.0F)));
     }
+    /// u and v at the samples of block n, from its patch on.
     static HWY_INLINE void at(const Found& found, int n, SampleFloats one_lanes, SampleFloats u_lanes,
                               SampleFloats v_lanes, Samples& u, Samples& v) {
         const BlockFloat f;
-        const Block p;
         const auto inverse = reciprocal(hn::Add(one_lanes, hn::Set(f, found.one[n])));
         const auto go_on = [&](float middle, SampleFloats lanes, float patch) HWY_ATTR {
             const auto change = hn::NegMulAdd(hn::Set(BlockFloat{}, middle), one_lanes, lanes);
@@ -226,6 +227,8 @@ private:
         SampleFloats rest;  ///< from the patch to the farthest sample
         Samples texel;      ///< the patch' first
     };
+    /// The blocks of a half from `first` on, whose middles lie at these columns; `some` has the bits of those to be
+    /// drawn.
     HWY_INLINE void find_half(const Canvas& canvas, const Doubles& right, uint32_t some, int first,
                               Found& found) const {
         const Real d;

@@ -21,8 +21,9 @@ constexpr int kFarPatch = 16;              ///< texels from one side of a far bl
 
 constexpr float kToMiddle = (kBlock - 1) / 2.0F;  ///< from a block's first sample to its middle, either way [px]
 
-/// How float32 is bounded by the planes: PerspectiveBlocks.
-constexpr double kSteep = 17, kMost = 1024;
+/// Float32 is asked where u in a block's middle is no more than kMost, and u times how much D changes in the block,
+/// seen from D, no more than kSteep: PerspectiveBlocks bounds its error by them [texels].
+constexpr double kMost = 1024, kSteep = 17;
 
 /// A plane as steps of double, and its gradients as float32 has them.
 struct StepsEight {
