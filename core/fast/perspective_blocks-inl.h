@@ -33,6 +33,7 @@ class PerspectiveBlocks {
     // is the numerator and u d. Together less than 12.2 G + 7 u S / (M - S). The patch' corner and the sum are rounded
     // to whole parts; what double has lost is less than 1/16: serves().
     static constexpr double kUlpFloat = 0x1p-24 * kParts, kRounded = 1.0625;
+    static_assert(kFarPatch <= kTexelApron);
     static_assert((12.2 * kFarPatch / 2 + 7 * kSteep) * kUlpFloat + kRounded < kDoubt);
     /// What follows a texel's bits is certain if one of these is set: no less than twice the doubt.
     static constexpr uint32_t kTested = (1U << kPartBits) - 2 * kDoubt;

@@ -85,7 +85,7 @@ struct PerspectiveEight {
         };
         const V u_reach = axis(b.u_over, b.u_along, canvas.u_bits, u, u_from),
                 v_reach = axis(b.v_over, b.v_along, canvas.v_bits, v, v_from);
-        // Nor is the middle of a block that has samples inside by more than half of a patch.
+        // Nor is the middle of a block that has samples inside by more than half of a patch, or float32 is not asked.
         const V reach = hn::MulAdd(hn::Max(u_reach, v_reach), hn::Set(d, 1 / kParts), hn::Set(d, kFarPatch / 2.0));
         const V spread_one = hn::Mul(hn::Add(hn::Abs(x), hn::Abs(y)), hn::Set(d, kToMiddle * 1.001));
         const V steep = hn::Max(hn::Set(d, 2.0), hn::MulAdd(reach, hn::Set(d, 1 / kSteep), hn::Set(d, 1.001)));

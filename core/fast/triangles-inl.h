@@ -109,7 +109,8 @@ HWY_INLINE void flush(Batch& batch, int& count, const Canvas& canvas) {
         else
             draw_slowly(batch.index.at[t], canvas);
         if constexpr (kDepth) {
-            canvas.counters->of(RasterSkip::level_z) += static_cast<uint64_t>(batch.level_z.at[t]);
+            if (batch.good.at[t] != 0)
+                canvas.counters->of(RasterSkip::level_z) += static_cast<uint64_t>(batch.level_z.at[t]);
             const PixelBox box{batch.column0.at[t], batch.row0.at[t], batch.column1.at[t], batch.row1.at[t]};
             if (box.x0 < box.x1 && box.y0 < box.y1) canvas.tiles->touch(box);
         }
