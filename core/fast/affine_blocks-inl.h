@@ -85,7 +85,7 @@ struct BlockAxis {
     HWY_INLINE void set_up(const BlockAxisEight& all, int t, int bits) {
         const Block p;
         const auto of = [&](const EightInt& a) HWY_ATTR { return hn::Set(Block{}, static_cast<uint32_t>(a.at[t])); };
-        shift = shift_of(bits), parts = parts_of(bits), first = all.first.at[t];
+        shift = 32 - bits, parts = parts_of(bits), first = all.first.at[t];
         const auto right = hn::Mul(place_of_lane(), of(all.right)), down = hn::Mul(four_of_lane(), of(all.down));
         lanes = hn::Or(hn::Add(hn::Add(right, down), of(all.to_sample)), hn::Set(p, 1));
         least_rest = static_cast<uint32_t>(all.least_rest.at[t]), tested = of(all.tested);
@@ -106,7 +106,6 @@ struct BlockAxis {
     }
     [[nodiscard]] HWY_INLINE bool sure() const { return least_rest == 0; }
 
-    static HWY_INLINE int shift_of(int bits) { return 32 - bits; }
     static HWY_INLINE double parts_of(int bits) { return static_cast<double>(int64_t{1} << (bits - kPatchBits)); }
 };
 
@@ -115,9 +114,8 @@ struct AffineEight {
     BlockAxisEight u, v;
 
     HWY_INLINE void set_up(const Batch& b, const Canvas& canvas) {
-        const auto axis = [](const CoordinateEight& from, int bits, BlockAxisEight& out) HWY_ATTR {
-            out.set_up(from, static_cast<double>(int64_t{1} << BlockAxis::shift_of(bits)), BlockAxis::parts_of(bits));
-        };
+        const auto axis = [](const CoordinateEight& from, int bits, BlockAxisEight& out)
+                              HWY_ATTR { out.set_up(from, units_in_texel(bits), BlockAxis::parts_of(bits)); };
         axis(b.u, canvas.u_bits, u), axis(b.v, canvas.v_bits, v);
     }
 };
@@ -141,7 +139,7 @@ public:
         const auto fits = [&](const CoordinateEight& u, int bits) HWY_ATTR {
             const Real d;
             if (bits <= kPatchBits) return hn::FirstN(d, 0);
-            const double texel = static_cast<double>(int64_t{1} << BlockAxis::shift_of(bits));
+            const double texel = units_in_texel(bits);
             const V spread = hn::Add(hn::Abs(hn::Load(d, u.plane.x.at)), hn::Abs(hn::Load(d, u.plane.y.at)));
             // In double parts are whole up to 2^51: 24 half ulps of 2^45 are 2^-3.
             return hn::And(hn::Lt(hn::Load(d, u.unsure.at), hn::Set(d, .125 * texel / kPartsInTexel)),

@@ -26,10 +26,9 @@ namespace HWY_NAMESPACE {
 template <class Kind>
 HWY_INLINE uint32_t by_blocks(const Batch& b, const Canvas& canvas) {
     const Real d;
-    const auto whole = [](const EightInt& a) HWY_ATTR { return hn::PromoteTo(Real{}, hn::Load(Index{}, a.at)); };
-    const V widest = whole(b.widest);
-    const V samples = hn::Mul(widest, hn::Sub(whole(b.row1), whole(b.row0)));
-    const V least = hn::Mul(hn::Sub(whole(b.column1), whole(b.column0)), hn::Set(d, double{kBlock}));
+    const V widest = load_int(b.widest);
+    const V samples = hn::Mul(widest, hn::Sub(load_int(b.row1), load_int(b.row0)));
+    const V least = hn::Mul(hn::Sub(load_int(b.column1), load_int(b.column0)), hn::Set(d, double{kBlock}));
     const auto wide = hn::And(hn::Ge(widest, hn::Set(d, double{kLeastWide})), hn::Ge(samples, least));
     return bits_of(d, hn::And(wide, Kind::serves(b, canvas)));
 }

@@ -27,6 +27,9 @@ constexpr int kHalfWidth = 4 * kBlock, kWindowWidth = 2 * kHalfWidth;  ///< [px]
 /// measured [px].
 constexpr int kLeastWide = 9, kLeastWhole = 56;
 
+/// Units in a texel of a texture that has 2^bits of them.
+HWY_INLINE double units_in_texel(int bits) { return static_cast<double>(int64_t{1} << (32 - bits)); }
+
 using BlockInt = hn::Rebind<int32_t, Block>;
 using BlockBytes = hn::Repartition<uint8_t, Block>;
 using RowNumbers = hn::Vec<BlockInt>;  ///< of each of kRows rows

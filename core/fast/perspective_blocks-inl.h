@@ -61,8 +61,8 @@ public:
     /// faster.
     [[nodiscard]] static HWY_INLINE hn::Mask<Real> serves(const Batch& b, const Canvas& canvas) {
         const auto fits = [](const Eight& far, int bits) HWY_ATTR {
-            const double texel = static_cast<double>(int64_t{1} << (32 - bits));
-            return hn::Lt(hn::Load(Real{}, far.at), hn::Set(Real{}, bits > kPatchBits ? texel / kParts / 64 : 0));
+            const double most = bits > kPatchBits ? units_in_texel(bits) / kParts / 64 : 0;
+            return hn::Lt(hn::Load(Real{}, far.at), hn::Set(Real{}, most));
         };
         const auto all = hn::And(fits(b.u_far, canvas.u_bits), fits(b.v_far, canvas.v_bits));
         if (!canvas.settings->skip(RasterSkip::level_w)) return all;
@@ -75,11 +75,10 @@ public:
     }
     HWY_INLINE void use(const Batch& /*b*/, int /*t*/, const Canvas& canvas, const HalfGaps& gaps) {
         // Half of the gap in parts.
-        const auto parts = [](double gap, int bits)
-                               HWY_ATTR { return gap * kParts / static_cast<double>(int64_t{1} << (32 - bits)); };
-        const double u = parts(gaps.u, canvas.u_bits), v = parts(gaps.v, canvas.v_bits);
-        gaps_ = gaps, u_tested_ = kTested | (u > kDoubt ? kAlways : 0),
-        v_tested_ = kTested | (v > kDoubt ? kAlways : 0);
+        const double u = gaps.u * kParts / units_in_texel(canvas.u_bits),
+                     v = gaps.v * kParts / units_in_texel(canvas.v_bits);
+        gaps_ = gaps;
+        u_tested_ = kTested | (u > kDoubt ? kAlways : 0), v_tested_ = kTested | (v > kDoubt ? kAlways : 0);
     }
     /// Whether no sample needs a test.
     [[nodiscard]] HWY_INLINE bool sure() const { return (u_tested_ & v_tested_ & kAlways) != 0; }

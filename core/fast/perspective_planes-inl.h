@@ -51,10 +51,9 @@ struct PerspectiveEight {
     HWY_INLINE void set_up(const Batch& b, const Canvas& canvas) {
         const Real d;
         const V half = hn::Set(d, .5);
-        const auto whole = [](const EightInt& a) HWY_ATTR { return hn::PromoteTo(Real{}, hn::Load(Index{}, a.at)); };
         const auto of = [](const Eight& a) HWY_ATTR { return hn::Load(Real{}, a.at); };
-        const V column0 = whole(b.column0), row0 = whole(b.row0);
-        const V width = hn::Sub(whole(b.column1), column0), height = hn::Sub(whole(b.row1), row0);
+        const V column0 = load_int(b.column0), row0 = load_int(b.row0);
+        const V width = hn::Sub(load_int(b.column1), column0), height = hn::Sub(load_int(b.row1), row0);
         V at = of(b.one.at), x = of(b.one.x), y = of(b.one.y);
         const V most = hn::MulAdd(hn::Abs(x), width, hn::MulAdd(hn::Abs(y), height, hn::Abs(at)));
         const V scale = power_of_two(d, hn::Neg(exponent_of(d, most)));
@@ -72,7 +71,7 @@ struct PerspectiveEight {
         const auto axis = [&](const PlaneEight& over, const FloatEight& corners, int bits, StepsEight& out,
                               EightInt& from) HWY_ATTR {
             const Real r;
-            const V parts = hn::Set(r, kParts / static_cast<double>(int64_t{1} << (32 - bits)));
+            const V parts = hn::Set(r, kParts / units_in_texel(bits));
             const V by = hn::Mul(scale, parts);
             const V over_at = hn::Mul(of(over.at), by), over_x = hn::Mul(of(over.x), by),
                     over_y = hn::Mul(of(over.y), by);

@@ -127,6 +127,7 @@ HWY_INLINE V difference_of_products(V a, V b, V c, V d) {
 #endif
 }
 
+HWY_INLINE V load_int(const EightInt& from) { return hn::PromoteTo(Real{}, hn::Load(Index{}, from.at)); }
 HWY_INLINE void store_int(V value, int32_t* to) { hn::Store(hn::DemoteTo(Index{}, value), Index{}, to); }
 
 /// The low 32 bits of the whole part of |value| < 2^51.
