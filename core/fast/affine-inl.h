@@ -33,7 +33,7 @@ HWY_NOINLINE bool rows_again(Tag p, const Batch& b, int t, int row, uint32_t whi
         const auto u0 = hn::Set(p, static_cast<uint32_t>(rows.u.at[n])),
                    v0 = hn::Set(p, static_cast<uint32_t>(rows.v.at[n]));
         for (int x = rows.x0.at[n]; x < rows.x1.at[n]; x += kLanes) {
-            const auto steps = hn::Iota(p, static_cast<uint32_t>(x - rows.x0.at[n]));
+            const auto steps = lanes_from(p, static_cast<uint32_t>(x - rows.x0.at[n]));
             const auto in = hn::FirstN(p, static_cast<size_t>(rows.x1.at[n] - x));
             const auto unsure = texels.unsure(hn::Add(hn::Mul(u_x, steps), u0), hn::Add(hn::Mul(v_x, steps), v0));
             if (const auto asked = hn::And(in, unsure); !hn::AllFalse(p, asked))

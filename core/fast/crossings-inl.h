@@ -71,7 +71,7 @@ HWY_INLINE void cross(const Batch& b, int t, int row, int count, const Columns& 
     const auto left = hn::Ne(hn::Set(d, b.long_left.at[t]), hn::Zero(d));
     bool again = false;
     for (int lane = 0; lane < count; lane += kReals) {
-        const V n = hn::Iota(d, row + lane), y = hn::Add(n, hn::Set(d, .5));
+        const V n = lanes_from(d, row + lane), y = hn::Add(n, hn::Set(d, .5));
         const V below = hn::Sub(y, hn::Set(d, b.long_y.at[t]));
         const V far = hn::MulAdd(below, hn::Set(d, b.long_slope.at[t]), hn::Set(d, b.long_x.at[t]));
         const V top = hn::MulAdd(below, hn::Set(d, b.top_slope.at[t]), hn::Set(d, b.long_x.at[t]));
@@ -98,7 +98,7 @@ HWY_INLINE void start(const Batch& b, int t, int row, int count, double u_bias, 
     const Real d;
     for (int lane = 0; lane < count; lane += kReals) {
         const V first = hn::PromoteTo(d, hn::Load(Index{}, rows.x0.at + lane));
-        const V right = hn::Sub(first, hn::Set(d, b.column0.at[t])), down = hn::Iota(d, row + lane - b.row0.at[t]);
+        const V right = hn::Sub(first, hn::Set(d, b.column0.at[t])), down = lanes_from(d, row + lane - b.row0.at[t]);
         start(b.u, t, right, down, u_bias, rows.u.at + lane), start(b.v, t, right, down, v_bias, rows.v.at + lane);
     }
 }

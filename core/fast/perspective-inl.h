@@ -51,7 +51,7 @@ HWY_INLINE void slopes_of(const Batch& b, int t, int row, int count, const Rows&
         const V x0 = hn::PromoteTo(d, hn::Load(Index{}, rows.x0.at + lane)),
                 x1 = hn::PromoteTo(d, hn::Load(Index{}, rows.x1.at + lane));
         const V length = hn::Sub(x1, x0), before = hn::Floor(hn::Mul(length, hn::Set(d, .5)));
-        const V right = hn::Sub(hn::Add(x0, before), column), down = hn::Iota(d, row + lane - b.row0.at[t]);
+        const V right = hn::Sub(hn::Add(x0, before), column), down = lanes_from(d, row + lane - b.row0.at[t]);
         const auto at = [&](const PlaneEight& p) HWY_ATTR { return plane_at(Real{}, p, t, right, down); };
         const V inverse = hn::Div(one, at(b.one)), slope = hn::Mul(d_x, inverse);
         const V u = hn::Mul(at(b.u_over), inverse), v = hn::Mul(at(b.v_over), inverse);
@@ -60,7 +60,7 @@ HWY_INLINE void slopes_of(const Batch& b, int t, int row, int count, const Rows&
         if constexpr (kBound) {
             // 1 + i d is least at an end, and no pixel is farther from the middle than the first. Beyond the row it may
             // be less than 0.
-            const auto there = hn::And(hn::Lt(x0, x1), hn::Lt(hn::Iota(d, lane), hn::Set(d, count)));
+            const auto there = hn::And(hn::Lt(x0, x1), hn::Lt(lanes_from(d, lane), hn::Set(d, count)));
             const V after = hn::Sub(hn::Sub(length, one), before);
             const V kappa = hn::Div(one, hn::Min(hn::NegMulAdd(before, slope, one), hn::MulAdd(after, slope, one)));
             const V reach = hn::Mul(before, kappa);
@@ -149,7 +149,7 @@ HWY_NOINLINE bool perspective_again(Tag p, int row, uint32_t which, const Rows& 
         const PerspectiveRow<Tag> line(rows, slopes, n);
         for (int x = rows.x0.at[n]; x < rows.x1.at[n]; x += kLanes) {
             auto u = hn::Zero(p), v = hn::Zero(p);
-            line.at(hn::Iota(f, static_cast<float>(x - rows.x0.at[n]) - slopes.before.at[n]), u, v);
+            line.at(lanes_from(f, static_cast<float>(x - rows.x0.at[n]) - slopes.before.at[n]), u, v);
             const auto in = hn::FirstN(p, static_cast<size_t>(rows.x1.at[n] - x));
             if (const auto asked = hn::And(in, texels.unsure(u, v)); !hn::AllFalse(p, asked))
                 if (!mend(p, again, x, row + n, asked, only_double, canvas)) return false;

@@ -139,6 +139,13 @@ HWY_INLINE void store_fraction(V value, int32_t* to) {
     hn::Store(hn::BitCast(Index{}, low), Index{}, to);
 }
 
+/// first, first + 1 ...: Highway's Iota of a number that the compiler does not know goes through memory, lane by lane,
+/// on targets before AVX-512.
+template <class D>
+HWY_INLINE hn::Vec<D> lanes_from(D d, hn::TFromD<D> first) {
+    return hn::Add(hn::Iota(d, 0), hn::Set(d, first));
+}
+
 /// Bit n is lane n.
 template <class Tag>
 HWY_INLINE uint32_t bits_of(Tag d, hn::Mask<Tag> mask) {

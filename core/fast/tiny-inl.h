@@ -24,7 +24,7 @@ HWY_INLINE bool cover_tiny(const Batch& b, int t, uint32_t& inside) {
     const bool exact = b.side_doubt.at[t] == 0;
     const auto x = hn::ConvertTo(f, hn::And(hn::Iota(s, 0), hn::Set(s, 3)));
     for (int first = 0; first < 16; first += kLanes) {
-        const auto y = hn::ConvertTo(f, hn::ShiftRight<2>(hn::Iota(s, first)));
+        const auto y = hn::ConvertTo(f, hn::ShiftRight<2>(lanes_from(s, first)));
         const auto e = [&](size_t n) HWY_ATTR {
             const auto at_row = hn::MulAdd(y, hn::Set(f, b.side_y[n].at[t]), hn::Set(f, b.side_one[n].at[t]));
             return hn::MulAdd(x, hn::Set(f, b.side_x[n].at[t]), at_row);
@@ -61,7 +61,7 @@ HWY_INLINE bool draw_tiny(const Batch& b, int t, const Canvas& canvas) {
     alignas(64) uint32_t found[16];
     uint32_t unsure = 0;
     for (int lane = 0; lane < 16; lane += kLanes) {
-        const auto y = hn::ShiftRight<2>(hn::Iota(p, static_cast<uint32_t>(lane)));
+        const auto y = hn::ShiftRight<2>(lanes_from(p, static_cast<uint32_t>(lane)));
         const auto at = [&](const CoordinateEight& u, auto from) HWY_ATTR {
             const auto at_row = hn::Add(hn::Mul(y, hn::Set(p, static_cast<uint32_t>(u.down.at[t]))), from);
             return hn::Add(hn::Mul(x, hn::Set(p, static_cast<uint32_t>(u.step.at[t]))), at_row);

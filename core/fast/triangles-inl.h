@@ -166,7 +166,7 @@ HWY_NOINLINE void look_at(int first, int all, const Canvas& canvas, Looked& look
     const Real d;
     const RasterTarget& target = canvas.target;
     const RasterSettings& settings = *canvas.settings;
-    hn::Store(hn::Min(hn::Iota(Index{}, first), hn::Set(Index{}, all - 1)), Index{}, looked.index.at);
+    hn::Store(hn::Min(lanes_from(Index{}, first), hn::Set(Index{}, all - 1)), Index{}, looked.index.at);
     const Fields f(reinterpret_cast<const float*>(canvas.job->vertices.data()), looked.index.at);
     const Corners p(f, target);
     auto there = hn::FirstN(d, static_cast<size_t>(std::clamp(all - first, 0, kReals)));
