@@ -43,7 +43,7 @@ struct FloatEight {
 /// Everything about eight triangles, computed side by side.
 struct Batch {
     EightInt index;  ///< which triangle
-    EightInt good;   ///< finite, w > 0 where that matters
+    EightInt good;   ///< finite, w > 0 where that matters, and double holds the corners' differences
     EightInt row0, row_mid, row1, column0, column1;
     Eight long_x, long_y, long_slope;          ///< the side from top to bottom: x = long_x + (y - long_y) slope
     Eight top_slope, low_x, low_y, low_slope;  ///< the two others; the upper begins where the long one does
@@ -75,7 +75,7 @@ HWY_INLINE hn::Mask<Real> is_coarse(V c) {
 /// Eight triangles on the screen, in pixels of the target.
 struct Corners {
     V x0, y0, x1, y1, x2, y2;
-    HWY_INLINE Corners(const Fields& f, const RasterTarget& target) {
+    HWY_INLINE Corners(const Eights& f, const RasterTarget& target) {
         const Real d;
         const V left = hn::Set(d, target.x0), top = hn::Set(d, target.y0);
         x0 = hn::Sub(promote(f.x[0]), left), y0 = hn::Sub(promote(f.y[0]), top);
@@ -94,7 +94,7 @@ struct Corners {
 /// Whether double holds all differences of the corners as given, of these and samples, and of these and the target's
 /// origin: with all sizes below 2^k, all are multiples of 2^(k - 52). Coordinates like 1e-12 beside others of 1000 are
 /// not, and what is that far out is left alone, too.
-HWY_INLINE hn::Mask<Real> is_fine(const Fields& f, const RasterTarget& target) {
+HWY_INLINE hn::Mask<Real> is_fine(const Eights& f, const RasterTarget& target) {
     const Real d;
     const hn::Repartition<uint64_t, Real> bits;
     const double reach = std::max(std::abs(target.x0), std::abs(target.y0)) + std::max(target.width, target.height);
@@ -311,7 +311,7 @@ HWY_INLINE V rounded_plane(V a0, V a1, V a2, const Shape& s, PlaneEight& out, in
 }
 
 /// Returns where u, v and w are finite, and w is positive; `flat` is where it is the same at all corners.
-HWY_INLINE hn::Mask<Real> set_up_perspective(const Fields& f, const Shape& s, const Canvas& canvas,
+HWY_INLINE hn::Mask<Real> set_up_perspective(const Eights& f, const Shape& s, const Canvas& canvas,
                                              hn::Mask<Real>& flat, Batch& batch, int lane) {
     const Real d;
     const V w0 = promote(f.w[0]), w1 = promote(f.w[1]), w2 = promote(f.w[2]), one = hn::Set(d, 1.0);
@@ -380,7 +380,7 @@ HWY_INLINE void set_up_sides(Corners p, V area, const Canvas& canvas, Batch& bat
 }
 
 /// Where all corners lie in the same texel: u and v of a sample are between the corners', in perspective, too.
-HWY_INLINE hn::Mask<Real> in_one_texel(const Fields& f, const Canvas& canvas) {
+HWY_INLINE hn::Mask<Real> in_one_texel(const Eights& f, const Canvas& canvas) {
     const Real d;
     const auto same = [&](const Floats(&a)[3], int texels) HWY_ATTR {
         const V size = hn::Set(Real{}, texels);  // the products are exact
@@ -398,7 +398,7 @@ HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
     const auto* const base = reinterpret_cast<const float*>(canvas.job->vertices.data());
     const double u = 16 * kUlp;
     for (int lane = 0; lane < kBatch; lane += kReals) {
-        const Fields f(base, batch.index.at + lane);
+        const Eights f(Narrow{}, ByIndex{base, batch.index.at + lane});
         const Corners p(f, canvas.target);
         const auto coarse = p.coarse();
         const V low_x = least_of(p.x0, p.x1, p.x2), high_x = most_of(p.x0, p.x1, p.x2);
@@ -465,7 +465,7 @@ HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
             has_rows = canvas.addressing != Addressing::powers ||
                        !hn::AllTrue(d, hn::AndNot(one_texel, hn::And(tiny, coarse)));
         }
-        good = hn::And(good, hn::Eq(nothing, hn::Zero(d)));
+        good = hn::And(good, hn::And(hn::Eq(nothing, hn::Zero(d)), is_fine(f, canvas.target)));
         store_int(hn::IfThenElseZero(good, hn::Set(d, 1.0)), batch.good.at + lane);
         if (has_rows) set_up_sides(p, s.area, canvas, batch, lane);
     }

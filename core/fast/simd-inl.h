@@ -50,55 +50,80 @@ struct alignas(64) OfRows {
     Number at[kRows];
 };
 
-/// Floats of some triangles side by side.
-using Floats = hn::Vec<Narrow>;
+constexpr int kTriangleFloats = 3 * sizeof(Vertex) / sizeof(float);
+
+/// Where triangles lie: one after the other, or by their indices.
+struct InOrder {
+    const float* first;
+    [[nodiscard]] HWY_INLINE const float* at(int lane) const { return first + lane * kTriangleFloats; }
+};
+struct ByIndex {
+    const float* base;
+    const int32_t* triangles;
+    [[nodiscard]] HWY_INLINE const float* at(int lane) const {
+        return base + std::ptrdiff_t{triangles[lane]} * kTriangleFloats;
+    }
+};
 
 /// Floats [first, first + 4) of each triangle: loads of four and a transposition, where gather instructions would need
 /// five times as long.
-HWY_INLINE void four_of(const float* base, const int32_t* triangles, int first, Floats& a, Floats& b, Floats& c,
-                        Floats& d) {
-    constexpr int kFloats = sizeof(Vertex) / sizeof(float) * 3;
-    const Narrow n;
-    const auto from = [&](int lane) { return base + std::ptrdiff_t{triangles[lane]} * kFloats + first; };
-#if HWY_TARGET <= HWY_AVX2
-    const hn::CappedTag<float, 4> four;
-    const auto row = [&](int lane) HWY_ATTR {
-#if HWY_TARGET <= HWY_AVX3
-        return hn::Combine(Narrow{}, hn::LoadU(four, from(lane + 4)), hn::LoadU(four, from(lane)));
-#else
-        return hn::LoadU(four, from(lane));
+template <class D, class Where>
+HWY_INLINE void four_of(D n, const Where& where, int first, hn::Vec<D>& a, hn::Vec<D>& b, hn::Vec<D>& c,
+                        hn::Vec<D>& d) {
+    const auto from = [&](int lane) { return where.at(lane) + first; };
+    constexpr int kLanes = static_cast<int>(hn::MaxLanes(D{}));
+#if HWY_TARGET <= HWY_SSE4
+    if constexpr (kLanes >= 4) {
+        const hn::CappedTag<float, 4> four;
+        const auto row = [&](int lane) HWY_ATTR {  // of every fourth triangle
+            if constexpr (kLanes == 4) {
+                return hn::LoadU(four, from(lane));
+            } else if constexpr (kLanes == 8) {
+                return hn::Combine(D{}, hn::LoadU(four, from(lane + 4)), hn::LoadU(four, from(lane)));
+            } else {
+                const hn::Half<D> half;
+                return hn::Combine(D{},
+                                   hn::Combine(half, hn::LoadU(four, from(lane + 12)), hn::LoadU(four, from(lane + 8))),
+                                   hn::Combine(half, hn::LoadU(four, from(lane + 4)), hn::LoadU(four, from(lane))));
+            }
+        };
+        const auto r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3);
+        const hn::RepartitionToWide<D> pairs;
+        const auto low01 = hn::BitCast(pairs, hn::InterleaveLower(n, r0, r1)),
+                   low23 = hn::BitCast(pairs, hn::InterleaveLower(n, r2, r3)),
+                   high01 = hn::BitCast(pairs, hn::InterleaveUpper(n, r0, r1)),
+                   high23 = hn::BitCast(pairs, hn::InterleaveUpper(n, r2, r3));
+        a = hn::BitCast(n, hn::InterleaveLower(pairs, low01, low23));
+        b = hn::BitCast(n, hn::InterleaveUpper(pairs, low01, low23));
+        c = hn::BitCast(n, hn::InterleaveLower(pairs, high01, high23));
+        d = hn::BitCast(n, hn::InterleaveUpper(pairs, high01, high23));
+        return;
+    }
 #endif
-    };
-    const auto r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3);
-    const hn::RepartitionToWide<Narrow> pairs;
-    const auto low01 = hn::BitCast(pairs, hn::InterleaveLower(n, r0, r1)),
-               low23 = hn::BitCast(pairs, hn::InterleaveLower(n, r2, r3)),
-               high01 = hn::BitCast(pairs, hn::InterleaveUpper(n, r0, r1)),
-               high23 = hn::BitCast(pairs, hn::InterleaveUpper(n, r2, r3));
-    a = hn::BitCast(n, hn::InterleaveLower(pairs, low01, low23));
-    b = hn::BitCast(n, hn::InterleaveUpper(pairs, low01, low23));
-    c = hn::BitCast(n, hn::InterleaveLower(pairs, high01, high23));
-    d = hn::BitCast(n, hn::InterleaveUpper(pairs, high01, high23));
-#else
-    alignas(16) float lanes[4][kReals];
-    for (int lane = 0; lane < kReals; ++lane)
+    alignas(16) float lanes[4][kLanes];
+    for (int lane = 0; lane < kLanes; ++lane)
         for (int number = 0; number < 4; ++number) lanes[number][lane] = from(lane)[number];
     a = hn::Load(n, lanes[0]), b = hn::Load(n, lanes[1]), c = hn::Load(n, lanes[2]), d = hn::Load(n, lanes[3]);
-#endif
 }
 
-/// The corners of some triangles.
+/// The corners of some triangles, side by side.
+template <class D>
 struct Fields {
-    Floats x[3], y[3], z[3], w[3], u[3], v[3];
+    hn::Vec<D> x[3], y[3], z[3], w[3], u[3], v[3];
 
-    HWY_INLINE Fields(const float* base, const int32_t* triangles) {
-        four_of(base, triangles, 0, x[0], y[0], z[0], w[0]);
-        four_of(base, triangles, 4, u[0], v[0], x[1], y[1]);
-        four_of(base, triangles, 8, z[1], w[1], u[1], v[1]);
-        four_of(base, triangles, 12, x[2], y[2], z[2], w[2]);
-        four_of(base, triangles, 14, z[2], w[2], u[2], v[2]);
+    template <class Where>
+    HWY_INLINE Fields(D d, const Where& where) {
+        four_of(d, where, 0, x[0], y[0], z[0], w[0]);
+        four_of(d, where, 4, u[0], v[0], x[1], y[1]);
+        four_of(d, where, 8, z[1], w[1], u[1], v[1]);
+        four_of(d, where, 12, x[2], y[2], z[2], w[2]);
+        hn::Vec<D> again;  // who asks for no u or v needs none of these loads
+        four_of(d, where, 14, again, again, u[2], v[2]);
     }
 };
+/// Of those that are set up together.
+using Floats = hn::Vec<Narrow>;
+using Eights = Fields<Narrow>;
 HWY_INLINE V promote(Floats a) { return hn::PromoteTo(Real{}, a); }
 
 #if !HWY_NATIVE_FMA

@@ -10,9 +10,8 @@ namespace texelscope {
 
 /// A target's rows cut into strips of equal height, and the strips of each triangle.
 struct Strips {
-    static constexpr int kMost = 127;           ///< strips of a target
-    static constexpr int kBlock = 64;           ///< the bytes are a multiple of so many
-    static constexpr std::int8_t kSlow = -128;  ///< added to `first` of triangles for the exact triangle alone
+    static constexpr int kMost = 127;  ///< strips of a target
+    static constexpr int kBlock = 64;  ///< the bytes are a multiple of so many
 
     Strips(int triangles, int height)
         : bytes((triangles + kBlock - 1) / kBlock * kBlock),

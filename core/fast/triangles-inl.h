@@ -111,20 +111,26 @@ HWY_INLINE void flush(Batch& batch, int& count, const Canvas& canvas) {
         if constexpr (kDepth) {
             if (batch.good.at[t] != 0)
                 canvas.counters->of(RasterSkip::level_z) += static_cast<uint64_t>(batch.level_z.at[t]);
-            const PixelBox box{batch.column0.at[t], batch.row0.at[t], batch.column1.at[t], batch.row1.at[t]};
+            PixelBox box{batch.column0.at[t], batch.row0.at[t], batch.column1.at[t], batch.row1.at[t]};
+            if (batch.good.at[t] == 0) box = {0, 0, canvas.target.width, canvas.target.height};
             if (box.x0 < box.x1 && box.y0 < box.y1) canvas.tiles->touch(box);
         }
     }
     count = 0;
 }
 
+/// Triangles looked at together, in float32.
+using Look = hn::CappedTag<float, 16>;
+using LookInt = hn::Rebind<int32_t, Look>;
+constexpr int kLook = static_cast<int>(hn::MaxLanes(Look{}));
+using Looks = hn::Vec<Look>;
+
 /// Lanes of triangles, and what is known of them without a set-up.
 struct Looked {
-    EightInt index;  ///< which triangle
-    uint32_t keep;   ///< bit n: lane n is to be drawn
-    uint32_t fine;   ///< double holds its coordinates' differences
-    EightInt column0, row0, column1, row1;
-    EightFloat nearest;
+    alignas(64) int32_t index[kLook];  ///< which triangle
+    uint32_t keep;                     ///< bit n: lane n is to be drawn
+    alignas(64) int32_t column0[kLook], row0[kLook], column1[kLook], row1[kLook];
+    alignas(64) float nearest[kLook];
 };
 
 /// Fetches the vertices that will be looked at soon after triangle `first`'s.
@@ -132,97 +138,150 @@ HWY_INLINE void fetch_vertices(const Canvas& canvas, int first) {
     constexpr int kAhead = 2048;  // [bytes]
     constexpr int kTriangle = 3 * sizeof(Vertex);
     const auto* const bytes = reinterpret_cast<const char*>(canvas.job->vertices.data());
-    for (int line = 0; line < kReals * kTriangle; line += 64)
+    for (int line = 0; line < kLook * kTriangle; line += 64)
         hwy::Prefetch(bytes + std::ptrdiff_t{first} * kTriangle + kAhead + line);
 }
 
-/// The samples that triangles may own.
-struct Boxes {
-    V low_x, high_x, low_y, high_y;  ///< of the corners
-    V c0, c1, r0, r1;
+/// Along one axis, the samples that triangles may own, of a target from `origin` on.
+struct Extent {
+    Looks low, high;      ///< of the corners, from the origin
+    Looks first, beyond;  ///< samples
 
-    HWY_INLINE Boxes(const Corners& p, const RasterTarget& target)
-        : low_x(least_of(p.x0, p.x1, p.x2)),
-          high_x(most_of(p.x0, p.x1, p.x2)),
-          low_y(least_of(p.y0, p.y1, p.y2)),
-          high_y(most_of(p.y0, p.y1, p.y2)),
-          c0(first_centre(low_x, target.width)),
-          c1(first_centre(high_x, target.width)),
-          r0(first_centre(low_y, target.height)),
-          r1(first_centre(high_y, target.height)) {}
-    HWY_INLINE void store(Looked& looked) const {
-        store_int(c0, looked.column0.at), store_int(c1, looked.column1.at);
-        store_int(r0, looked.row0.at), store_int(r1, looked.row1.at);
+    /// Where the origin is no less than 0, a difference within the target is exact: it is a multiple of the
+    /// coordinate's last place, and no larger. Elsewhere it is rounded, and the box is larger by what that may be.
+    HWY_INLINE Extent(const Looks (&at)[3], int origin, int size) {
+        const Look d;
+        const Looks zero = hn::Zero(d), most = hn::Set(d, static_cast<float>(size)), half = hn::Set(d, .5F);
+        const Looks from = hn::Set(d, static_cast<float>(origin));
+        const bool exact = origin >= 0 && origin < 1 << 23;
+        const float rounding = exact ? 0 : 0x1p-23F * (std::abs(static_cast<float>(origin)) + static_cast<float>(size));
+        low = hn::Sub(hn::Sub(hn::Min(hn::Min(at[0], at[1]), at[2]), from), hn::Set(d, rounding));
+        high = hn::Add(hn::Sub(hn::Max(hn::Max(at[0], at[1]), at[2]), from), hn::Set(d, rounding));
+        // Numbers in [0, 2^23) less a half are exact, or what they lose does not matter to the whole number above.
+        first = hn::Ceil(hn::Sub(hn::Min(hn::Max(low, zero), most), half));
+        beyond = hn::Ceil(hn::Sub(hn::Min(hn::Max(high, zero), most), half));
+    }
+    [[nodiscard]] HWY_INLINE hn::Mask<Look> outside(int size) const {
+        const Look d;
+        return hn::Or(hn::Le(high, hn::Zero(d)), hn::Ge(low, hn::Set(d, static_cast<float>(size))));
     }
 };
 
-HWY_INLINE void store_nearest(const Fields& f, Looked& looked) {
-    hn::Store(hn::Min(hn::Min(f.z[0], f.z[1]), f.z[2]), Narrow{}, looked.nearest.at);
+/// The samples that triangles may own, and how near they come.
+struct Boxes {
+    Extent x, y;
+
+    HWY_INLINE Boxes(const Fields<Look>& f, const RasterTarget& target)
+        : x(f.x, target.x0, target.width), y(f.y, target.y0, target.height) {}
+    HWY_INLINE void store(const Fields<Look>& f, Looked& looked) const {
+        const LookInt i;
+        hn::Store(hn::ConvertTo(i, x.first), i, looked.column0),
+            hn::Store(hn::ConvertTo(i, x.beyond), i, looked.column1);
+        hn::Store(hn::ConvertTo(i, y.first), i, looked.row0), hn::Store(hn::ConvertTo(i, y.beyond), i, looked.row1);
+        hn::Store(hn::Min(hn::Min(f.z[0], f.z[1]), f.z[2]), Look{}, looked.nearest);
+    }
+};
+
+/// Twice the area, and how much float32 may have lost of it.
+struct LooseArea {
+    Looks area, doubt;
+
+    /// In 2^-24 of the products: each of their factors is off by 1, they by 1 more, the difference by 1. Less than half
+    /// of what is taken, the rest is for products that underflow.
+    HWY_INLINE explicit LooseArea(const Fields<Look>& f) {
+        const Look d;
+        const Looks bx = hn::Sub(f.x[1], f.x[0]), by = hn::Sub(f.y[1], f.y[0]), cx = hn::Sub(f.x[2], f.x[0]),
+                    cy = hn::Sub(f.y[2], f.y[0]);
+        const Looks p = hn::Mul(bx, cy), q = hn::Mul(cx, by);
+        area = hn::Sub(p, q);
+        doubt = hn::MulAdd(hn::Add(hn::Abs(p), hn::Abs(q)), hn::Set(d, 0x1p-20F), hn::Set(d, 0x1p-120F));
+    }
+};
+
+/// The area's sign where double holds the corners' differences; else 1.
+HWY_NOINLINE int sign_of_area(int triangle, const Canvas& canvas) {
+    int32_t index[kReals];
+    std::fill_n(index, kReals, triangle);
+    const Real d;
+    const Eights f(Narrow{}, ByIndex{reinterpret_cast<const float*>(canvas.job->vertices.data()), index});
+    const double area = hn::GetLane(Corners(f, canvas.target).area());
+    if (hn::AllFalse(d, is_fine(f, canvas.target))) return 1;
+    return (area > 0) - (area < 0);
 }
 
-/// Looks at triangles [first, first + lanes) and says which of them are to be drawn; none from `all` on.
+/// Triangles whose area's sign float32 does not tell, or with a number that is not finite: `doubt`, of those kept.
+HWY_NOINLINE void look_again(uint32_t doubt, const Canvas& canvas, Looked& looked) {
+    RasterCounters& counters = *canvas.counters;
+    for (; doubt != 0; doubt &= doubt - 1) {
+        const int lane = std::countr_zero(doubt), triangle = looked.index[lane];
+        const auto drop = [&](std::uint64_t& counter) { ++counter, looked.keep &= ~(1U << lane); };
+        if (is_refused(triangle, canvas)) {
+            drop(counters.refused);
+        } else {
+            const int sign = sign_of_area(triangle, canvas);
+            if (sign == 0 && canvas.settings->skip(RasterSkip::zero_area))
+                drop(counters.of(RasterSkip::zero_area));
+            else if (sign < 0 && canvas.job->cull_back && canvas.settings->skip(RasterSkip::back_face))
+                drop(counters.of(RasterSkip::back_face));
+        }
+    }
+}
+
+/// Looks at triangles [first, first + kLook) and says which of them are to be drawn; none from `all` on.
 template <bool kBoxes>
 HWY_NOINLINE void look_at(int first, int all, const Canvas& canvas, Looked& looked) {
-    const Real d;
-    const RasterTarget& target = canvas.target;
+    const Look d;
     const RasterSettings& settings = *canvas.settings;
-    hn::Store(hn::Min(lanes_from(Index{}, first), hn::Set(Index{}, all - 1)), Index{}, looked.index.at);
-    const Fields f(reinterpret_cast<const float*>(canvas.job->vertices.data()), looked.index.at);
-    const Corners p(f, target);
-    auto there = hn::FirstN(d, static_cast<size_t>(std::clamp(all - first, 0, kReals)));
-    const auto drop = [&](RasterSkip skip, hn::Mask<Real> which) HWY_ATTR {
+    hn::Store(lanes_from(LookInt{}, first), LookInt{}, looked.index);
+    const auto floats_of = [&](int triangle) { return reinterpret_cast<const float*>(canvas.corners(triangle)); };
+    const float* from = floats_of(first);
+    float last[kLook * kTriangleFloats];
+    if (first + kLook > all) {  // the last once more: nothing is read beyond it
+        for (int n = 0; n < kLook; ++n)
+            std::copy_n(floats_of(std::min(first + n, all - 1)), kTriangleFloats, last + n * kTriangleFloats);
+        from = last;
+    }
+    const Fields<Look> f(d, InOrder{from});
+    auto there = hn::FirstN(d, static_cast<size_t>(std::clamp(all - first, 0, kLook)));
+    const auto drop = [&](RasterSkip skip, hn::Mask<Look> which) HWY_ATTR {
         if (!settings.skip(skip)) return;
         const auto dropped = hn::And(there, which);
-        canvas.counters->of(skip) += hn::CountTrue(Real{}, dropped);
+        canvas.counters->of(skip) += hn::CountTrue(Look{}, dropped);
         there = hn::AndNot(which, there);
     };
-    const Boxes box(p, target);
-    const V zero = hn::Zero(d), width = hn::Set(d, target.width), height = hn::Set(d, target.height);
-    drop(RasterSkip::off_screen, hn::Or(hn::Or(hn::Le(box.high_x, zero), hn::Le(box.high_y, zero)),
-                                        hn::Or(hn::Ge(box.low_x, width), hn::Ge(box.low_y, height))));
-    drop(RasterSkip::no_sample, hn::Or(hn::Ge(box.c0, box.c1), hn::Ge(box.r0, box.r1)));
-
-    const auto fine = is_fine(f, target);
-    const V area = p.area();
-    drop(RasterSkip::zero_area, hn::And(fine, hn::Eq(area, zero)));
-    if (canvas.job->cull_back) drop(RasterSkip::back_face, hn::And(fine, hn::Lt(area, zero)));
-    looked.keep = bits_of(d, there), looked.fine = bits_of(d, fine);
-    if constexpr (kBoxes) box.store(looked), store_nearest(f, looked);
+    const Boxes box(f, canvas.target);
+    drop(RasterSkip::off_screen, hn::Or(box.x.outside(canvas.target.width), box.y.outside(canvas.target.height)));
+    drop(RasterSkip::no_sample, hn::Or(hn::Ge(box.x.first, box.x.beyond), hn::Ge(box.y.first, box.y.beyond)));
+    const LooseArea loose(f);
+    if (canvas.job->cull_back) drop(RasterSkip::back_face, hn::Lt(hn::Add(loose.area, loose.doubt), hn::Zero(d)));
+    if constexpr (kBoxes) box.store(f, looked);
+    looked.keep = bits_of(d, there);
+    const auto sure = hn::Gt(hn::Abs(loose.area), loose.doubt);
+    if (const auto doubt = hn::AndNot(sure, there); !hn::AllFalse(d, doubt))
+        look_again(bits_of(d, doubt), canvas, looked);
 }
 
 /// What hidden triangles are told by, of those that were looked at before.
 HWY_NOINLINE void find_boxes(const Canvas& canvas, Looked& looked) {
-    const Fields f(reinterpret_cast<const float*>(canvas.job->vertices.data()), looked.index.at);
-    Boxes(Corners(f, canvas.target), canvas.target).store(looked);
-    store_nearest(f, looked);
+    const Fields<Look> f(Look{}, ByIndex{reinterpret_cast<const float*>(canvas.job->vertices.data()), looked.index});
+    Boxes(f, canvas.target).store(f, looked);
 }
 
 /// Looks at triangles [first, last), which begin and end a block, and notes the strips of those to be drawn.
 HWY_ATTR void sort_out(const Canvas& canvas, int first, int last, const Strips& strips) {
-    const hn::Rebind<int8_t, Real> byte;
-    const Index i;
+    const LookInt i;
+    const hn::Rebind<int8_t, LookInt> byte;
     const int all = canvas.triangles(), rows = canvas.target.height;
-    for (; first < last; first += kReals) {
+    for (; first < last; first += kLook) {
         fetch_vertices(canvas, first);
         Looked looked;
         look_at<true>(first, all, canvas, looked);
-        for (uint32_t mask = looked.keep & ~looked.fine; mask != 0; mask &= mask - 1) {
-            const int lane = std::countr_zero(mask);
-            if (is_refused(first + lane, canvas)) ++canvas.counters->refused, looked.keep &= ~(1U << lane);
-            // The box is that of rounded corners.
-            looked.row0.at[lane] = std::max(0, looked.row0.at[lane] - 1);
-            looked.row1.at[lane] = std::min(rows, looked.row1.at[lane] + 1);
-        }
-        const auto mask_of = [&](uint32_t bits) HWY_ATTR {
-            const uint8_t bytes[8] = {static_cast<uint8_t>(bits)};
-            return hn::LoadMaskBits(i, bytes);
-        };
+        const uint8_t bytes[8] = {static_cast<uint8_t>(looked.keep), static_cast<uint8_t>(looked.keep >> 8)};
+        const auto keep = hn::LoadMaskBits(i, bytes);
         // Where triangles between samples are not dropped, they have one row all the same.
-        const auto r0 = hn::Min(hn::Load(i, looked.row0.at), hn::Set(i, rows - 1));
-        const auto r1 = hn::Max(hn::Sub(hn::Load(i, looked.row1.at), hn::Set(i, 1)), r0);
-        const auto keep = mask_of(looked.keep);
-        const auto slow = hn::IfThenZeroElse(mask_of(looked.fine), hn::Set(i, Strips::kSlow));
-        const auto s0 = hn::Add(hn::ShiftRightSame(r0, strips.shift), slow), s1 = hn::ShiftRightSame(r1, strips.shift);
+        const auto r0 = hn::Min(hn::Load(i, looked.row0), hn::Set(i, rows - 1));
+        const auto r1 = hn::Max(hn::Sub(hn::Load(i, looked.row1), hn::Set(i, 1)), r0);
+        const auto s0 = hn::ShiftRightSame(r0, strips.shift), s1 = hn::ShiftRightSame(r1, strips.shift);
         hn::StoreU(hn::DemoteTo(byte, hn::IfThenElse(keep, s0, hn::Set(i, Strips::kMost))), byte, &strips.first[first]);
         hn::StoreU(hn::DemoteTo(byte, hn::IfThenElseZero(keep, s1)), byte, &strips.last[first]);
     }
@@ -233,11 +292,9 @@ HWY_INLINE uint64_t find_own(const Band& band, int first) {
     const hn::CappedTag<int8_t, Strips::kBlock> d;
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(d));
     const auto begin = hn::Set(d, static_cast<int8_t>(band.begin)), end = hn::Set(d, static_cast<int8_t>(band.end));
-    const auto strip = hn::Set(d, static_cast<int8_t>(~Strips::kSlow));
     uint64_t own = 0;
     for (int n = 0; n < Strips::kBlock; n += kLanes) {
-        const auto s0 = hn::And(hn::LoadU(d, &band.strips->first[first + n]), strip),
-                   s1 = hn::LoadU(d, &band.strips->last[first + n]);
+        const auto s0 = hn::LoadU(d, &band.strips->first[first + n]), s1 = hn::LoadU(d, &band.strips->last[first + n]);
         uint8_t bytes[8] = {};
         hn::StoreMaskBits(d, hn::AndNot(hn::Lt(s1, begin), hn::Lt(s0, end)), bytes);
         uint64_t bits = 0;
@@ -262,7 +319,7 @@ public:
         if (first_ >= all_) return false;
         fetch_vertices(canvas_, first_);
         look_at<kDepth>(first_, all_, canvas_, looked);
-        first_ += kReals;
+        first_ += kLook;
         return true;
     }
 
@@ -270,15 +327,13 @@ private:
     template <bool kDepth>
     HWY_INLINE bool next_of_band(Looked& looked) {
         int count = 0;
-        looked.fine = 0;
-        for (int32_t* next; count < kReals && *(next = &ahead_[taken_ % kAhead]) != kNone; ++count, ++taken_) {
-            looked.index.at[count] = *next;
-            looked.fine |= uint32_t{canvas_.band->strips->first[*next] >= 0} << count;
+        for (int32_t* next; count < kLook && *(next = &ahead_[taken_ % kAhead]) != kNone; ++count, ++taken_) {
+            looked.index[count] = *next;
             *next = find_next();
         }
         if (count == 0) return false;
         looked.keep = (1U << count) - 1;
-        for (; count < kReals; ++count) looked.index.at[count] = looked.index.at[0];
+        for (; count < kLook; ++count) looked.index[count] = looked.index[0];
         if constexpr (kDepth) find_boxes(canvas_, looked);
         return true;
     }
@@ -312,44 +367,44 @@ private:
 /// Whether all that the triangle could draw is hidden.
 HWY_INLINE bool is_hidden(const Looked& looked, int lane, const Canvas& canvas) {
     if (!canvas.settings->skip(RasterSkip::hidden)) return false;
-    const PixelBox box{looked.column0.at[lane], looked.row0.at[lane], looked.column1.at[lane], looked.row1.at[lane]};
-    if (box.x0 >= box.x1 || box.y0 >= box.y1 || !canvas.tiles->hides(box, looked.nearest.at[lane])) return false;
+    const PixelBox box{looked.column0[lane], looked.row0[lane], looked.column1[lane], looked.row1[lane]};
+    if (box.x0 >= box.x1 || box.y0 >= box.y1 || !canvas.tiles->hides(box, looked.nearest[lane])) return false;
     ++canvas.counters->of(RasterSkip::hidden);
     return true;
 }
 
 /// Drops those that the tiles which they meet, as they are known, hide: small ones, which meet four at most.
 HWY_INLINE void drop_hidden(const Canvas& canvas, Looked& looked) {
-    const Narrow f;
-    const Index i;
+    const Look f;
+    const LookInt i;
     if (!canvas.settings->skip(RasterSkip::hidden)) return;
-    const auto load = [](const EightInt& a) HWY_ATTR { return hn::Load(Index{}, a.at); };
+    const auto load = [](const int32_t(&a)[kLook]) HWY_ATTR { return hn::Load(LookInt{}, a); };
     const auto x0 = load(looked.column0), x1 = load(looked.column1), y0 = load(looked.row0), y1 = load(looked.row1);
     const auto some = hn::And(hn::Lt(x0, x1), hn::Lt(y0, y1));
     const auto one = hn::Set(i, 1);
-    const auto tile = [&](hn::Vec<Index> pixel)
+    const auto tile = [&](hn::Vec<LookInt> pixel)
                           HWY_ATTR { return hn::IfThenElseZero(some, hn::ShiftRight<DepthTiles::kBits>(pixel)); };
     const auto left = tile(x0), right = tile(hn::Sub(x1, one)), top = tile(y0), bottom = tile(hn::Sub(y1, one));
     const auto two = hn::Set(i, 2);
     const auto small = hn::And(hn::Lt(hn::Sub(right, left), two), hn::Lt(hn::Sub(bottom, top), two));
     const auto pitch = hn::Set(i, canvas.tiles->columns());
     const auto upper = hn::Mul(top, pitch), lower = hn::Mul(bottom, pitch);
-    const auto farthest = [&](hn::Vec<Index> row, hn::Vec<Index> column) HWY_ATTR {
-        return hn::GatherIndex(Narrow{}, canvas.tiles->farthest(), hn::Add(row, column));
+    const auto farthest = [&](hn::Vec<LookInt> row, hn::Vec<LookInt> column) HWY_ATTR {
+        return hn::GatherIndex(Look{}, canvas.tiles->farthest(), hn::Add(row, column));
     };
     const auto far = hn::Max(hn::Max(farthest(upper, left), farthest(upper, right)),
                              hn::Max(farthest(lower, left), farthest(lower, right)));
-    const auto behind = hn::Ge(hn::Load(f, looked.nearest.at), far);
-    const uint32_t hidden = looked.keep & looked.fine & bits_of(f, behind) & bits_of(i, hn::And(some, small));
+    const auto behind = hn::Ge(hn::Load(f, looked.nearest), far);
+    const uint32_t hidden = looked.keep & bits_of(f, behind) & bits_of(i, hn::And(some, small));
     looked.keep &= ~hidden, canvas.counters->of(RasterSkip::hidden) += static_cast<uint64_t>(std::popcount(hidden));
 }
 
 /// Fetches what a small triangle will be drawn over: before it is set up, others are looked at.
 HWY_INLINE void fetch_ahead(const Looked& looked, int lane, const Canvas& canvas) {
     constexpr int kMostRows = 16;
-    const int row0 = looked.row0.at[lane], row1 = std::min(looked.row1.at[lane], row0 + kMostRows);
-    const int width = looked.column1.at[lane] - looked.column0.at[lane] - 1;
-    std::ptrdiff_t at = row0 * canvas.target.pitch + looked.column0.at[lane];
+    const int row0 = looked.row0[lane], row1 = std::min(looked.row1[lane], row0 + kMostRows);
+    const int width = looked.column1[lane] - looked.column0[lane] - 1;
+    std::ptrdiff_t at = row0 * canvas.target.pitch + looked.column0[lane];
     for (int row = row0; row < row1; ++row, at += canvas.target.pitch) {
         hwy::Prefetch(canvas.target.depth + at), hwy::Prefetch(canvas.target.depth + at + width);
         hwy::Prefetch(canvas.target.pixels + at), hwy::Prefetch(canvas.target.pixels + at + width);
@@ -365,16 +420,10 @@ HWY_INLINE void draw_triangles(const Canvas& canvas) {
     while (queue.next<kDepth>(looked)) {
         if constexpr (kDepth) drop_hidden(canvas, looked);
         for (uint32_t mask = looked.keep; mask != 0; mask &= mask - 1) {
-            const int lane = std::countr_zero(mask), triangle = looked.index.at[lane];
-            if ((looked.fine >> lane & 1) == 0) {
-                flush<kAddressing, kDepth, kCertain>(batch, waiting, canvas);
-                draw_slowly(triangle, canvas);
-                if constexpr (kDepth) canvas.tiles->touch({0, 0, canvas.target.width, canvas.target.height});
-                continue;
-            }
+            const int lane = std::countr_zero(mask);
             if (kDepth && is_hidden(looked, lane, canvas)) continue;
             if constexpr (kDepth) fetch_ahead(looked, lane, canvas);
-            batch.index.at[waiting++] = triangle;
+            batch.index.at[waiting++] = looked.index[lane];
             if (waiting == kBatch) flush<kAddressing, kDepth, kCertain>(batch, waiting, canvas);
         }
     }
