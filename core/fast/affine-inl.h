@@ -114,8 +114,8 @@ HWY_NOINLINE void draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
                 const DepthRow<Tag> depth(b, t, y);
                 for (; left > 0; left -= kLanes, x += kLanes) {
                     const auto in = hn::FirstN(p, static_cast<size_t>(left));
-                    const auto nearer = pass_depth(depth, x, y, in, again, canvas);
-                    if (!hn::AllFalse(p, nearer)) put_nearer(p, texels, u, v, x, y, nearer, again, canvas);
+                    const auto shown = test_early(depth, x, y, in, again, canvas);
+                    if (!hn::AllFalse(p, shown)) put_tested(p, texels, u, v, depth, x, y, shown, again, canvas);
                     u = hn::Add(u, u_step), v = hn::Add(v, v_step);
                 }
             } else {

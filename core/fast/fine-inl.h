@@ -35,13 +35,42 @@ HWY_NOINLINE bool mend(Tag p, Again& again, int x, int y, hn::Mask<Tag> unsure, 
     return true;
 }
 
-/// Stores the texels of `nearer` at (x, y) and to its right, right ones at once: no later pass could tell them apart.
+/// The pixels of `in` whose texels are to be looked up: with early z those that pass the depth test, which is left
+/// nearer; else all.
+template <class Tag>
+HWY_INLINE hn::Mask<Tag> test_early(const DepthRow<Tag>& depth, int x, int y, hn::Mask<Tag> in, Again& again,
+                                    const Canvas& canvas) {
+    if (!canvas.settings->skip(RasterSkip::early_z)) return in;
+    const auto nearer = pass_depth(depth, x, y, in, again, canvas);
+    if (hn::AllFalse(Tag{}, nearer)) again.note_spared();
+    return nearer;
+}
+
+/// The depth test comes last.
 template <Addressing kAddressing, class Tag>
-HWY_INLINE void put_nearer(Tag p, const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> u, hn::Vec<Tag> v, int x, int y,
-                           hn::Mask<Tag> nearer, Again& again, const Canvas& canvas) {
+HWY_NOINLINE void put_late(Tag p, const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> u, hn::Vec<Tag> v,
+                           const DepthRow<Tag>& depth, int x, int y, hn::Mask<Tag> in, Again& again,
+                           const Canvas& canvas) {
     uint32_t* const line = canvas.target.pixels + y * std::ptrdiff_t{canvas.target.pitch};
-    store_some(texels.fetch(u, v), nearer, p, line + x, line + canvas.target.width);
-    if (const auto unsure = hn::And(nearer, texels.unsure(u, v)); !hn::AllFalse(p, unsure))
+    alignas(64) uint32_t found[hn::MaxLanes(p)];
+    hn::Store(texels.fetch(u, v), p, found);
+    for (uint32_t m = bits_of(p, hn::And(in, texels.unsure(u, v))); m != 0; m &= m - 1)
+        found[std::countr_zero(m)] = again.texel(x + std::countr_zero(m), y);
+    const auto nearer = pass_depth(depth, x, y, in, again, canvas);
+    store_some(hn::Load(p, found), nearer, p, line + x, line + canvas.target.width);
+}
+
+/// Stores the texels of what test_early() has left at (x, y) and to its right, right ones at once: no later pass could
+/// tell them apart.
+template <Addressing kAddressing, class Tag>
+HWY_INLINE void put_tested(Tag p, const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> u, hn::Vec<Tag> v,
+                           const DepthRow<Tag>& depth, int x, int y, hn::Mask<Tag> shown, Again& again,
+                           const Canvas& canvas) {
+    if (!canvas.settings->skip(RasterSkip::early_z))
+        return put_late(p, texels, u, v, depth, x, y, shown, again, canvas);
+    uint32_t* const line = canvas.target.pixels + y * std::ptrdiff_t{canvas.target.pitch};
+    store_some(texels.fetch(u, v), shown, p, line + x, line + canvas.target.width);
+    if (const auto unsure = hn::And(shown, texels.unsure(u, v)); !hn::AllFalse(p, unsure))
         mend(p, again, x, y, unsure, false, canvas);
 }
 
@@ -155,14 +184,15 @@ HWY_NOINLINE bool draw_finely(const Batch& b, int t, int row, Again& again, cons
             for (int x = rows.x0.at[n]; x < end; x += kLanes) {
                 auto u = hn::Zero(p), v = u;
                 along.next(u, v);
-                auto in = hn::FirstN(p, static_cast<size_t>(end - x));
+                const auto in = hn::FirstN(p, static_cast<size_t>(end - x));
                 if constexpr (kDepth) {
-                    in = pass_depth(depth, x, y, in, again, canvas);
-                    if (hn::AllFalse(p, in)) continue;
+                    const auto shown = test_early(depth, x, y, in, again, canvas);
+                    if (!hn::AllFalse(p, shown)) put_tested(p, texels, u, v, depth, x, y, shown, again, canvas);
+                    continue;
                 }
                 uint32_t* const line = canvas.target.pixels + y * std::ptrdiff_t{canvas.target.pitch};
                 uint32_t* const out = line + x;
-                if (!kDepth && end - x >= kLanes)
+                if (end - x >= kLanes)
                     hn::StoreU(texels.fetch(u, v), p, out);
                 else
                     store_some(texels.fetch(u, v), in, p, out, line + canvas.target.width);

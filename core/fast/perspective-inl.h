@@ -128,11 +128,18 @@ HWY_NOINLINE uint64_t rows_in_double(const Batch& b, int t, int row, int count, 
     for (int n = 0; n < count; ++n)
         for (int x = rows.x0.at[n]; x < rows.x1.at[n]; ++x) {
             ++samples;
+            uint32_t* const pixel = canvas.target.pixels + (row + n) * canvas.target.pitch + x;
             if constexpr (kDepth) {
+                const bool late = !canvas.settings->skip(RasterSkip::early_z);
+                const uint32_t texel = late ? again.texel(x, row + n) : 0;
                 const DepthRow<decltype(p)> depth(b, t, row + n);
-                if (hn::AllFalse(p, pass_depth(depth, x, row + n, hn::FirstN(p, 1), again, canvas))) continue;
+                if (!hn::AllFalse(p, pass_depth(depth, x, row + n, hn::FirstN(p, 1), again, canvas)))
+                    *pixel = late ? texel : again.texel(x, row + n);
+                else if (!late)
+                    again.note_spared();
+            } else {
+                *pixel = again.texel(x, row + n);
             }
-            canvas.target.pixels[(row + n) * canvas.target.pitch + x] = again.texel(x, row + n);
         }
     return samples;
 }
@@ -231,10 +238,10 @@ HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
                 for (; left > 0; left -= kLanes, x += kLanes, i = hn::Add(i, hn::Set(f, kLanes))) {
                     if constexpr (kDepth) {
                         const auto in = hn::FirstN(p, static_cast<size_t>(left));
-                        const auto nearer = pass_depth(depth, x, y, in, again, canvas);
-                        if (hn::AllFalse(p, nearer)) continue;
+                        const auto shown = test_early(depth, x, y, in, again, canvas);
+                        if (hn::AllFalse(p, shown)) continue;
                         along.at(i, u, v);
-                        put_nearer(p, texels, u, v, x, y, nearer, again, canvas);
+                        put_tested(p, texels, u, v, depth, x, y, shown, again, canvas);
                     } else {
                         along.at(i, u, v);
                         uint32_t* const out = canvas.target.pixels + y * pitch + x;

@@ -195,6 +195,9 @@ class Again {
 public:
     HWY_INLINE Again(const Canvas& canvas, const Batch& b, int t, bool perspective)
         : canvas_(canvas), b_(b), t_(t), perspective_(perspective), decider_(canvas, b.index.at[t]) {}
+    HWY_INLINE ~Again() { canvas_.counters->of(RasterSkip::early_z) += static_cast<uint64_t>(spared_); }
+    Again(const Again&) = delete;
+    Again& operator=(const Again&) = delete;
 
     /// The texel of the target's pixel (x, y), where double can tell it.
     [[nodiscard]] HWY_NOINLINE bool texel_in_double(int x, int y, uint32_t& texel) {
@@ -218,6 +221,8 @@ public:
     /// Bounds of what double has lost [units].
     [[nodiscard]] double u_unsure() const { return perspective_ ? b_.u_far.at[t_] : b_.u.unsure.at[t_]; }
     [[nodiscard]] double v_unsure() const { return perspective_ ? b_.v_far.at[t_] : b_.v.unsure.at[t_]; }
+    /// Some samples were behind what stands there, and no texel was looked up for them.
+    void note_spared() { spared_ = true; }
     /// Whether so many texels of the first `rows` rows were asked for that to draw finely costs less: chance alone asks
     /// for one in some ten thousand.
     [[nodiscard]] bool often(int rows) const { return asked_ > 1 && asked_ * 4 > rows; }
@@ -252,6 +257,7 @@ private:
     int t_;
     bool perspective_;
     int asked_ = 0;  ///< texels in double
+    bool spared_ = false;
     std::optional<HalfGaps> half_gaps_;
     Decider decider_;
 };

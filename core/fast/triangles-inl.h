@@ -15,6 +15,7 @@
 
 #include "core/fast/affine-inl.h"
 #include "core/fast/block_batch-inl.h"
+#include "core/fast/depth_tiles-inl.h"
 #include "core/fast/dispatch.h"
 #include "core/fast/perspective-inl.h"
 #include "core/fast/tiny-inl.h"
@@ -85,6 +86,7 @@ HWY_INLINE void draw_triangle(const Batch& b, int t, const Canvas& canvas) {
     if constexpr (kMost && !kDepth)
         if (widest <= kNarrow) return draw_columns<kAddressing, kCertain>(b, t, canvas);
     if (widest <= kMedium) return draw_rows<false, kAddressing, kDepth, kCertain>(medium, b, t, canvas);
+    if constexpr (kDepth) return draw_depth_tiles<kAddressing>(b, t, canvas);
     return draw_rows<true, kAddressing, kDepth, kCertain>(wide, b, t, canvas);
 }
 
@@ -388,12 +390,7 @@ HWY_INLINE void drop_hidden(const Canvas& canvas, Looked& looked) {
     const auto two = hn::Set(i, 2);
     const auto small = hn::And(hn::Lt(hn::Sub(right, left), two), hn::Lt(hn::Sub(bottom, top), two));
     const auto pitch = hn::Set(i, canvas.tiles->columns());
-    const auto upper = hn::Mul(top, pitch), lower = hn::Mul(bottom, pitch);
-    const auto farthest = [&](hn::Vec<LookInt> row, hn::Vec<LookInt> column) HWY_ATTR {
-        return hn::GatherIndex(Look{}, canvas.tiles->farthest(), hn::Add(row, column));
-    };
-    const auto far = hn::Max(hn::Max(farthest(upper, left), farthest(upper, right)),
-                             hn::Max(farthest(lower, left), farthest(lower, right)));
+    const auto far = hn::GatherIndex(f, canvas.tiles->farthest_of_four(), hn::Add(hn::Mul(top, pitch), left));
     const auto behind = hn::Ge(hn::Load(f, looked.nearest), far);
     const uint32_t hidden = looked.keep & bits_of(f, behind) & bits_of(i, hn::And(some, small));
     looked.keep &= ~hidden, canvas.counters->of(RasterSkip::hidden) += static_cast<uint64_t>(std::popcount(hidden));
@@ -403,7 +400,8 @@ HWY_INLINE void drop_hidden(const Canvas& canvas, Looked& looked) {
 HWY_INLINE void fetch_ahead(const Looked& looked, int lane, const Canvas& canvas) {
     constexpr int kMostRows = 16;
     const int row0 = looked.row0[lane], row1 = std::min(looked.row1[lane], row0 + kMostRows);
-    const int width = looked.column1[lane] - looked.column0[lane] - 1;
+    // Vectors under a mask touch the lines of all of their lanes.
+    const int width = std::max(looked.column1[lane] - looked.column0[lane], 8) - 1;
     std::ptrdiff_t at = row0 * canvas.target.pitch + looked.column0[lane];
     for (int row = row0; row < row1; ++row, at += canvas.target.pitch) {
         hwy::Prefetch(canvas.target.depth + at), hwy::Prefetch(canvas.target.depth + at + width);
