@@ -169,7 +169,7 @@ public:
         if (canvas.job->cull_back) shown &= bits(b.front);
         uint32_t affine = 0;
         if (!canvas.job->perspective)
-            affine = ~bits(b.tiny);
+            affine = ~bits(b.small);
         else if (canvas.settings->skip(RasterSkip::equal_w))
             affine = bits(b.flat);
         const uint32_t perspective = canvas.job->perspective ? shown & ~affine : 0;

@@ -48,12 +48,12 @@ struct Batch {
     Eight long_x, long_y, long_slope;          ///< the side from top to bottom: x = long_x + (y - long_y) slope
     Eight top_slope, low_x, low_y, low_slope;  ///< the two others; the upper begins where the long one does
     CoordinateEight u, v;
-    Eight cross_doubt;   ///< of a crossing [px]; 0: all crossings are told apart by the bias
-    EightInt long_left;  ///< the long side is the left one
-    EightInt widest;     ///< no row has more samples
-    EightInt front;      ///< seen from the front
-    EightInt one_texel;  ///< all corners, so all samples, lie in the same texel
-    EightInt tiny;       ///< lies in a block of 4 x 4 samples from (column0, row0)
+    Eight cross_doubt;     ///< of a crossing [px]; 0: all crossings are told apart by the bias
+    EightInt long_left;    ///< the long side is the left one
+    EightInt widest;       ///< no row has more samples
+    EightInt front;        ///< seen from the front
+    EightInt one_texel;    ///< all corners, so all samples, lie in the same texel
+    EightInt tiny, small;  ///< lies in a block of 4 x 4, or 8 x 8, samples from (column0, row0)
     std::array<EightFloat, 3> side_x, side_y, side_one, side_least;  ///< E over the block; inside: E >= least
     EightFloat side_doubt;
     EightInt flat;                   ///< equal w at all corners: affine
@@ -352,15 +352,17 @@ HWY_INLINE hn::Mask<Real> set_up_perspective(const Eights& f, const Shape& s, co
     return hn::And(hn::Gt(least_of(w0, w1, w2), hn::Zero(d)), hn::Eq(nothing, hn::Zero(d)));
 }
 
-HWY_INLINE void set_up_tiny(const Corners& p, const Shape& s, V c0, V r0, hn::Mask<Real> coarse, Batch& batch,
-                            int lane) {
+/// Elsewhere than on the coarse grid, what float32 loses of a side's value: half an ulp of one below 2^8 in it and in
+/// each sum that makes it, 2^-17 each, and 2^-22 for each of 7 samples in either direction; less than half of 2^-14.
+HWY_INLINE void set_up_small(const Corners& p, const Shape& s, V c0, V r0, hn::Mask<Real> coarse, Batch& batch,
+                             int lane) {
     const Real d;
     const V sign = hn::IfThenElse(hn::Lt(s.area, hn::Zero(d)), hn::Set(d, -1.0), hn::Set(d, 1.0));
     const V sx = hn::Add(c0, hn::Set(d, .5)), sy = hn::Add(r0, hn::Set(d, .5));
     set_side(p.x1, p.y1, p.x2, p.y2, sx, sy, sign, coarse, batch, 0, lane);
     set_side(p.x2, p.y2, p.x0, p.y0, sx, sy, sign, coarse, batch, 1, lane);
     set_side(p.x0, p.y0, p.x1, p.y1, sx, sy, sign, coarse, batch, 2, lane);
-    hn::Store(hn::DemoteTo(Narrow{}, hn::IfThenZeroElse(coarse, hn::Set(d, 0x1p-15))), Narrow{},
+    hn::Store(hn::DemoteTo(Narrow{}, hn::IfThenZeroElse(coarse, hn::Set(d, 0x1p-14))), Narrow{},
               batch.side_doubt.at + lane);
 }
 
@@ -453,17 +455,16 @@ HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
             store_int(hn::IfThenElseZero(level, used), batch.level_z.at + lane);
         }
         bool has_rows = true;
-        if (!canvas.job->depth && !canvas.job->perspective) {
-            const auto is_small = [&](V extent, V samples) HWY_ATTR {
-                return hn::And(hn::Le(samples, hn::Set(Real{}, 4.0)), hn::Lt(extent, hn::Set(Real{}, 8.0)));
-            };
-            const auto tiny =
-                hn::And(is_small(hn::Sub(high_x, low_x), s.width), is_small(hn::Sub(high_y, low_y), hn::Sub(r1, r0)));
+        if (canvas.addressing == Addressing::powers && !canvas.job->perspective) {
+            const V extent = hn::Max(hn::Sub(high_x, low_x), hn::Sub(high_y, low_y)),
+                    samples = hn::Max(s.width, hn::Sub(r1, r0));
+            const auto small = hn::And(hn::Lt(extent, hn::Set(d, 8.0)), hn::Le(samples, hn::Set(d, 8.0)));
+            store_int(hn::IfThenElseZero(small, hn::Set(d, 1.0)), batch.small.at + lane);
+            const auto tiny = hn::And(small, hn::Le(samples, hn::Set(d, 4.0)));
             store_int(hn::IfThenElseZero(tiny, hn::Set(d, 1.0)), batch.tiny.at + lane);
-            if (!hn::AllFalse(d, tiny)) set_up_tiny(p, s, c0, r0, coarse, batch, lane);
-            // draw_tiny() gives none of these back.
-            has_rows = canvas.addressing != Addressing::powers ||
-                       !hn::AllTrue(d, hn::AndNot(one_texel, hn::And(tiny, coarse)));
+            if (!hn::AllFalse(d, small)) set_up_small(p, s, c0, r0, coarse, batch, lane);
+            // Neither draw_tiny() nor draw_small() gives any of these back.
+            has_rows = !hn::AllTrue(d, hn::AndNot(one_texel, hn::And(small, coarse)));
         }
         good = hn::And(good, hn::And(hn::Eq(nothing, hn::Zero(d)), is_fine(f, canvas.target)));
         store_int(hn::IfThenElseZero(good, hn::Set(d, 1.0)), batch.good.at + lane);

@@ -1,6 +1,4 @@
-// Triangles within a block of 4 x 4 samples: the sides' values at all 16 at once, no rows. On the coarse grid, up to 8
-// px wide, these are whole multiples of 2^-16 below 2^8, which float32 holds exactly; elsewhere what comes near 0 is
-// left to the rows.
+// Triangles within a block of 4 x 4 samples: all of them at once.
 #if defined(TEXELSCOPE_TINY_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TEXELSCOPE_TINY_INL
 #undef TEXELSCOPE_TINY_INL
@@ -8,37 +6,12 @@
 #define TEXELSCOPE_TINY_INL
 #endif
 
-#include "core/fast/crossings-inl.h"
+#include "core/fast/cover-inl.h"
 #include "core/fast/texels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace texelscope {
 namespace HWY_NAMESPACE {
-
-/// Bit 4 y + x: whether the triangle owns sample (x, y) of the block. False: one lies too near to a side.
-HWY_INLINE bool cover_tiny(const Batch& b, int t, uint32_t& inside) {
-    const hn::CappedTag<float, 16> f;
-    const hn::Rebind<int32_t, decltype(f)> s;
-    constexpr int kLanes = static_cast<int>(hn::MaxLanes(f));
-    inside = 0;
-    const bool exact = b.side_doubt.at[t] == 0;
-    const auto x = hn::ConvertTo(f, hn::And(hn::Iota(s, 0), hn::Set(s, 3)));
-    for (int first = 0; first < 16; first += kLanes) {
-        const auto y = hn::ConvertTo(f, hn::ShiftRight<2>(lanes_from(s, first)));
-        const auto e = [&](size_t n) HWY_ATTR {
-            const auto at_row = hn::MulAdd(y, hn::Set(f, b.side_y[n].at[t]), hn::Set(f, b.side_one[n].at[t]));
-            return hn::MulAdd(x, hn::Set(f, b.side_x[n].at[t]), at_row);
-        };
-        const auto e0 = e(0), e1 = e(1), e2 = e(2);
-        if (!exact) {
-            const auto nearest = hn::Min(hn::Min(hn::Abs(e0), hn::Abs(e1)), hn::Abs(e2));
-            if (!hn::AllFalse(f, hn::Lt(nearest, hn::Set(f, b.side_doubt.at[t])))) return false;
-        }
-        const auto in = [&](auto value, size_t n) HWY_ATTR { return hn::Ge(value, hn::Set(f, b.side_least[n].at[t])); };
-        inside |= bits_of(f, hn::And(hn::And(in(e0, 0), in(e1, 1)), in(e2, 2))) << first;
-    }
-    return true;
-}
 
 /// False: nothing was drawn, too much is in doubt.
 template <Addressing kAddressing>
@@ -46,8 +19,9 @@ HWY_INLINE bool draw_tiny(const Batch& b, int t, const Canvas& canvas) {
     const hn::CappedTag<uint32_t, 16> p;
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
     const Texels<decltype(p), kAddressing> texels(canvas, b, t, certain_of(b, t));
-    uint32_t inside = 0;
-    if (!cover_tiny(b, t, inside)) return false;
+    uint64_t all = 0;
+    if (!cover<2>(b, t, all)) return false;
+    auto inside = static_cast<uint32_t>(all);
     const int column = b.column0.at[t], row = b.row0.at[t];
     if (column + 4 > canvas.target.width) inside &= 0x1111U * ((1U << (canvas.target.width - column)) - 1);
     if (row + 4 > canvas.target.height) inside &= (1U << (4 * (canvas.target.height - row))) - 1;

@@ -18,6 +18,7 @@
 #include "core/fast/depth_tiles-inl.h"
 #include "core/fast/dispatch.h"
 #include "core/fast/perspective-inl.h"
+#include "core/fast/small-inl.h"
 #include "core/fast/tiny-inl.h"
 #include "core/geometry/polygon.h"
 
@@ -73,8 +74,12 @@ HWY_INLINE void draw_triangle(const Batch& b, int t, const Canvas& canvas) {
     constexpr bool kMost = kAddressing == Addressing::powers;
     const hn::ScalableTag<uint32_t> wide;
     const hn::CappedTag<uint32_t, kMost ? 8 : hn::MaxLanes(wide)> medium;
-    if constexpr (kMost && !kDepth)
-        if (!canvas.job->perspective && b.tiny.at[t] != 0 && draw_tiny<kAddressing>(b, t, canvas)) return;
+    if constexpr (kMost)
+        if (!canvas.job->perspective && b.small.at[t] != 0) {
+            if constexpr (!kDepth)
+                if (b.tiny.at[t] != 0 && draw_tiny<kAddressing>(b, t, canvas)) return;
+            if (draw_small<kAddressing, kDepth>(b, t, canvas)) return;
+        }
     const int widest = b.widest.at[t];
     if (canvas.job->perspective && (b.flat.at[t] == 0 || !canvas.settings->skip(RasterSkip::equal_w))) {
         if (widest <= kMedium &&

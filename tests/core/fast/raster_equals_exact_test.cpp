@@ -283,6 +283,55 @@ TEST(RasterEqualsExact, WithDepthAndLight) {
     EXPECT_GT(counters.of(RasterSkip::hidden), 0U);
 }
 
+/// Up to 8 px wide, near (x, y).
+std::array<Vertex, 3> small_triangle(laws::Dice& dice, int n, float x, float y) {
+    const float size = dice.often(.3) ? 4 : 7.9F;
+    x += dice.within(-5, 5), y += dice.within(-5, 5);
+    const float grid = n % 3 == 0 ? 2 : 256, density = dice.within(.2F, 3), level = dice.within(0, .9F);
+    std::array<Vertex, 3> corners{};
+    for (Vertex& c : corners) {
+        c = {x + dice.within(0, size), y + dice.within(0, size), n % 2 == 0 ? level : dice.within(0, .9F), 1};
+        if (n % 4 != 0) c.x = std::round(c.x * grid) / grid, c.y = std::round(c.y * grid) / grid;
+        c.u = density * c.x / 64 + dice.within(-.02F, .02F), c.v = density * c.y / 16 + dice.within(-.02F, .02F);
+        if (n % 7 == 0) c.u = std::floor(c.u * 64) / 64, c.v = std::floor(c.v * 16) / 16;
+    }
+    if (n % 5 == 0) {  // a side through centres, but for what float32 loses
+        const auto right = static_cast<float>(dice.whole(-3, 3)), down = static_cast<float>(dice.whole(-3, 3));
+        for (std::size_t k = 0; k < 2; ++k) {
+            const float t = k == 0 ? dice.within(-1.3F, 0) : dice.within(0, 1.3F);
+            corners[k].x = std::floor(x) + 4.5F + t * right, corners[k].y = std::floor(y) + 4.5F + t * down;
+        }
+    }
+    return corners;
+}
+
+TEST(RasterEqualsExact, InEveryPixelOfSmallTriangles) {
+    laws::Dice dice(14);
+    const Addresses& texels = textures()[0];
+    RasterCounters counters;
+    for (int n = 0; n < 1500; ++n) {
+        std::vector<Vertex> vertices;
+        const float x = dice.within(-4, kWidth + 2), y = dice.within(-4, kHeight + 2);  // its ends, too
+        for (int k = 0; k < 9; ++k) {
+            auto corners = small_triangle(dice, n + 8 * k, x, y);
+            if (n % 2 == 0) bring_to_border(dice, texels.texture, corners);
+            vertices.insert(vertices.end(), corners.begin(), corners.end());
+        }
+        RasterJob job = job_of(vertices, texels.texture);
+        job.depth = n % 3 != 0, job.cull_back = n % 4 == 0;
+        const std::string what = std::to_string(n);
+        expect_exact(texels, job, counters, what);
+        if (HasFatalFailure()) return;
+        const std::uint32_t late = ~(1U << static_cast<unsigned>(RasterSkip::early_z));
+        expect_same(drawn(texels.texture, job, counters, {.skips = late}), decided(texels.texture, job),
+                    "late: " + what);
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(counters.samples, 100000U);
+    EXPECT_GT(counters.in_double, 100U);
+    EXPECT_GT(counters.of(RasterSkip::early_z), 100U);
+}
+
 /// Wide slopes through and behind each other: what a tile of them hides is as near as it is said to be.
 TEST(RasterEqualsExact, WhereTilesHideWideTriangles) {
     laws::Dice dice(15);
