@@ -20,19 +20,26 @@ class DepthBounds {
 public:
     HWY_INLINE DepthBounds(const Batch& b, int t, const Canvas& canvas) : b_(b), t_(t) {
         const Vertex* const p = canvas.corners(b.index.at[t]);
-        std::tie(low_, high_) = std::minmax({p[0].z, p[1].z, p[2].z});
+        low_ = std::min({p[0].z, p[1].z, p[2].z}), high_ = std::max({p[0].z, p[1].z, p[2].z});
     }
-    /// Over the tile's samples, from (column, row) on. Rounded to float32 they still are bounds of what is.
     struct Range {
         double low, high;
     };
+    /// Over those samples of the tile from (column, row) on that lie in the triangle's box, where z_unsure bounds the
+    /// error of z. A depth is z rounded to float32: it stays between float32 numbers that are bounds of z.
     [[nodiscard]] HWY_INLINE Range over(int column, int row) const {
-        constexpr double kFar = DepthTiles::kSide - 1;
-        const double x = b_.z.x.at[t_], y = b_.z.y.at[t_], unsure = 2 * b_.z_unsure.at[t_];
-        const double at = b_.z.at.at[t_] + (column - b_.column0.at[t_]) * x + (row - b_.row0.at[t_]) * y;
-        const double low = at + kFar * (std::min(x, 0.0) + std::min(y, 0.0)) - unsure,
-                     high = at + kFar * (std::max(x, 0.0) + std::max(y, 0.0)) + unsure;
-        return {std::max(low, double{low_}), std::min(high, double{high_})};
+        constexpr int kLast = DepthTiles::kSide - 1;
+        const int column0 = b_.column0.at[t_], row0 = b_.row0.at[t_];
+        const auto ends = [](int from, int to, double step, double& low, double& high) HWY_ATTR {
+            const double a = from * step, b = to * step;
+            low += std::min(a, b), high += std::max(a, b);
+        };
+        const double at = b_.z.at.at[t_], unsure = 2 * b_.z_unsure.at[t_];
+        double low = at, high = at;
+        ends(std::max(column, column0) - column0, std::min(column + kLast, b_.column1.at[t_] - 1) - column0,
+             b_.z.x.at[t_], low, high);
+        ends(std::max(row, row0) - row0, std::min(row + kLast, b_.row1.at[t_] - 1) - row0, b_.z.y.at[t_], low, high);
+        return {std::max(low - unsure, double{low_}), std::min(high + unsure, double{high_})};
     }
 
 private:

@@ -17,6 +17,7 @@
 #include "core/fast/dispatch.h"
 #include "core/fast/raster_texels.h"
 #include "core/fast/triangles-inl.h"
+#include "core/image/image.h"
 
 #if HWY_ONCE
 namespace texelscope {
@@ -138,6 +139,7 @@ void draw_bands(const Canvas& whole, const Loops& loops) {
 void draw(const RasterTarget& target, const RasterTexture& texture, const RasterJob& job,
           const RasterSettings& settings, RasterCounters& counters) {
     TEXELSCOPE_ASSERT(is_supported(settings.level) && (!job.depth || target.depth != nullptr));
+    TEXELSCOPE_ASSERT(target.width <= kMaxSize && target.height <= kMaxSize);
     TEXELSCOPE_ASSERT(settings.threads >= 1 && settings.threads <= kMaxRasterThreads);
     if (job.vertices.size() < 3 || target.width <= 0 || target.height <= 0) return;
     RasterTexels lit;

@@ -67,7 +67,7 @@ enum class RasterSkip : std::uint8_t {
     zero_area,      ///< triangles without area
     back_face,      ///< culled triangles: before they are set up
     hidden,         ///< triangles behind all that stands in the tiles that they meet (hierarchical z)
-    hidden_tile,    ///< tiles of wide triangles behind all that stands there
+    hidden_tile,    ///< tiles of wide affine triangles behind all that stands there
     early_z,        ///< looking up texels of samples behind what stands there: the depth test comes first
     equal_w,        ///< perspective where all corners are equally far
     level_w,        ///< a division a pixel where w stays along rows, as on floors
@@ -86,7 +86,7 @@ inline constexpr std::array<RasterSkipInfo, 12> kRasterSkips{{
     {RasterSkip::back_face, "back-face", "Triangles seen from behind are dropped before set-up."},
     {RasterSkip::hidden, "hidden", "Triangles behind the farthest depth of every 16 x 16 tile they meet are dropped."},
     {RasterSkip::hidden_tile, "hidden-tile",
-     "Tiles in which a wide triangle lies behind the farthest depth are dropped, row by row unseen."},
+     "Tiles in which a wide affine triangle lies behind the farthest depth are dropped."},
     {RasterSkip::early_z, "early-z",
      "The depth test comes before the texels: where no sample passes, none is looked up."},
     {RasterSkip::equal_w, "equal-w", "Triangles with equal w at all corners are drawn without a division a pixel."},

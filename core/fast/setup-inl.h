@@ -51,7 +51,7 @@ struct Batch {
     Eight cross_doubt;     ///< of a crossing [px]; 0: all crossings are told apart by the bias
     EightInt long_left;    ///< the long side is the left one
     EightInt widest;       ///< no row has more samples
-    EightInt front;        ///< seen from the front
+    EightInt front;        ///< seen from the front; means nothing unless `good`
     EightInt one_texel;    ///< all corners, so all samples, lie in the same texel
     EightInt tiny, small;  ///< lies in a block of 4 x 4, or 8 x 8, samples from (column0, row0)
     std::array<EightFloat, 3> side_x, side_y, side_one, side_least;  ///< E over the block; inside: E >= least
@@ -259,6 +259,14 @@ HWY_INLINE V nothing_of(V a0, V a1, V a2) {
     return hn::MulAdd(a0, zero, hn::MulAdd(a1, zero, hn::Mul(a2, zero)));
 }
 
+HWY_INLINE Floats nothing_of(const Floats (&a)[3], const Floats (&b)[3]) {
+    const Floats zero = hn::Zero(Narrow{});
+    const auto of = [&](const Floats(&c)[3]) HWY_ATTR {
+        return hn::Add(hn::Add(hn::Mul(c[0], zero), hn::Mul(c[1], zero)), hn::Mul(c[2], zero));
+    };
+    return hn::Add(of(a), of(b));
+}
+
 /// Returns where the corners' values are finite and int32 can tell the texels.
 HWY_INLINE hn::Mask<Real> coordinate(const Floats (&a)[3], bool is_u, const Shape& s, const Canvas& canvas,
                                      CoordinateEight& out, int lane) {
@@ -269,7 +277,8 @@ HWY_INLINE hn::Mask<Real> coordinate(const Floats (&a)[3], bool is_u, const Shap
     const V lost = plane(a0, a1, a2, s, units.unit, out.plane, lane);
     const V unsure = hn::IfThenElse(hn::Lt(lost, hn::Set(d, 2.0)), lost, hn::Set(d, 0x1p40));
     hn::Store(unsure, d, out.unsure.at + lane);
-    // A start is rounded to whole units, and each step by up to half of one.
+    // A start is cut to whole units, and each step rounded by up to half of one; those down are 7 at most, in
+    // draw_small().
     const V doubt = hn::Add(unsure, hn::MulAdd(s.width, hn::Set(d, .5), hn::Set(d, 4.0)));
     hn::Store(doubt, d, out.doubt.at + lane);
     const Certainty<Real> certainty(d, doubt, hn::Zero(d), units.texel, units.per_texel);
@@ -353,7 +362,9 @@ HWY_INLINE hn::Mask<Real> set_up_perspective(const Eights& f, const Shape& s, co
 }
 
 /// Elsewhere than on the coarse grid, what float32 loses of a side's value: half an ulp of one below 2^8 in it and in
-/// each sum that makes it, 2^-17 each, and 2^-22 for each of 7 samples in either direction; less than half of 2^-14.
+/// each sum that makes it, 2^-17 each, 2^-22 for each of 7 samples in either direction, and 2^-19 for each of two
+/// products that are not fused; less than half of 2^-14. (A triangle outside the target may be far from the block: its
+/// values then are too large to be in doubt.)
 HWY_INLINE void set_up_small(const Corners& p, const Shape& s, V c0, V r0, hn::Mask<Real> coarse, Batch& batch,
                              int lane) {
     const Real d;
@@ -431,7 +442,8 @@ HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
         store_int(hn::IfThenElseZero(hn::Gt(s.area, hn::Zero(d)), hn::Set(d, 1.0)), batch.front.at + lane);
         const auto one_texel = in_one_texel(f, canvas);
         store_int(hn::IfThenElseZero(one_texel, hn::Set(d, 1.0)), batch.one_texel.at + lane);
-        V nothing = hn::Zero(d);
+        // Those that nobody asks for count, too: a triangle with a number that is not finite draws nothing.
+        V nothing = promote(nothing_of(f.z, f.w));
         const auto affine = [&]() HWY_ATTR {
             return hn::And(coordinate(f.u, true, s, canvas, batch.u, lane),
                            coordinate(f.v, false, s, canvas, batch.v, lane));
@@ -448,7 +460,6 @@ HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
             const V z0 = promote(f.z[0]), z1 = promote(f.z[1]), z2 = promote(f.z[2]);
             const V unsure = plane(z0, z1, z2, s, hn::Set(d, 1.0), batch.z, lane);
             // At least half a denormal, the least that differs; and nothing where z is the same all over.
-            nothing = hn::Add(nothing, nothing_of(z0, z1, z2));
             const auto level = hn::And(hn::Eq(z0, z1), hn::Eq(z0, z2));
             hn::Store(hn::IfThenZeroElse(level, hn::Max(unsure, hn::Set(d, 0x1p-149))), d, batch.z_unsure.at + lane);
             const V used = hn::Set(d, canvas.settings->skip(RasterSkip::level_z) ? 1.0 : 0.0);

@@ -1,5 +1,5 @@
 // Hierarchical z: the farthest depth of each 16 x 16 tile, brought up to date only where somebody asks and much has
-// been written.
+// been written, or where a triangle covers the tile whole.
 #pragma once
 
 #include <algorithm>
@@ -40,6 +40,14 @@ public:
                 if (!hides(x, y, nearest)) return false;
         return true;
     }
+    /// The same in one tile.
+    [[nodiscard]] bool hides(int x, int y, double nearest) {
+        const std::size_t tile = index(x, y);
+        if (nearest >= farthest_[tile]) return true;
+        if (written_[tile] < kEnough) return false;
+        refresh(x, y);
+        return nearest >= farthest_[tile];
+    }
     /// Depths in the box may have become nearer.
     void touch(const PixelBox& box) {
         const int most = std::min(box.x1 - box.x0, kSide) * std::min(box.y1 - box.y0, kSide);
@@ -50,14 +58,6 @@ public:
             }
     }
 
-    /// The same in one tile.
-    [[nodiscard]] bool hides(int x, int y, double nearest) {
-        const std::size_t tile = index(x, y);
-        if (nearest >= farthest_[tile]) return true;
-        if (written_[tile] < kEnough) return false;
-        refresh(x, y);
-        return nearest >= farthest_[tile];
-    }
     /// All depths of a tile have become at least so near.
     void cover(int x, int y, float farthest) {
         if (farthest < farthest_[index(x, y)]) set(x, y, farthest);

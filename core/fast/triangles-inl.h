@@ -105,7 +105,7 @@ HWY_INLINE void flush(Batch& batch, int& count, const Canvas& canvas) {
     for (int t = 0; t < count; ++t) {
         ++canvas.counters->drawn;
         // Culled only here where the skip is off: it costs what it costs, and shows nothing.
-        if (canvas.job->cull_back && batch.front.at[t] == 0) continue;
+        if (canvas.job->cull_back && batch.good.at[t] != 0 && batch.front.at[t] == 0) continue;
         if (RasterWatch* const watch = canvas.settings->watch)
             watch->u_doubt = batch.u.doubt.at[t] / texel_units(canvas, batch.u, t, canvas.texture.width),
             watch->v_doubt = batch.v.doubt.at[t] / texel_units(canvas, batch.v, t, canvas.texture.height);
@@ -211,8 +211,8 @@ HWY_NOINLINE int sign_of_area(int triangle, const Canvas& canvas) {
     std::fill_n(index, kReals, triangle);
     const Real d;
     const Eights f(Narrow{}, ByIndex{reinterpret_cast<const float*>(canvas.job->vertices.data()), index});
-    const double area = hn::GetLane(Corners(f, canvas.target).area());
     if (hn::AllFalse(d, is_fine(f, canvas.target))) return 1;
+    const double area = hn::GetLane(Corners(f, canvas.target).area());
     return (area > 0) - (area < 0);
 }
 

@@ -378,6 +378,47 @@ TEST(RasterEqualsExact, WhereFloat32DoesNotTellTheFront) {
     EXPECT_GT(counters.samples, 10000U);
 }
 
+/// Double rounds the corners' differences: the area's sign is not known before the exact triangle is made.
+TEST(RasterEqualsExact, WhereDoubleDoesNotTellTheFront) {
+    const Addresses& texels = textures()[0];
+    for (const auto& [x, y] : {std::pair{0x1p-60F, 0.0F}, {0.0F, -0x1p-60F}, {-0x1p-60F, 0.0F}, {0.0F, 0x1p-60F}}) {
+        RasterCounters counters;
+        const std::array<Vertex, 3> corners{{{x, y, 0, 1, 0, 0}, {40, 40, 0, 1, 1, 0}, {20, 20, 0, 1, 0, 1}}};
+        RasterJob job = job_of(corners, texels.texture);
+        job.cull_back = true;
+        expect_exact(texels, job, counters, text_of(corners));
+        if (HasFatalFailure()) return;
+        EXPECT_EQ(counters.samples > 0, x > 0 || y < 0) << "of the two that show their front";
+    }
+}
+
+/// One row of a steep triangle, nearer by an ulp than what stands there: its tile's other rows lie far outside of it.
+TEST(RasterEqualsExact, WhereADepthIsAsNearAsItsTile) {
+    const Addresses& texels = textures()[0];
+    struct Case {
+        float before;
+        std::array<Vertex, 3> corners;
+    };
+    const std::array<Case, 2> cases{{{0x1.e1ad54p-15F,
+                                      {{{0x1.8ad0f2p+7F, 0x1.f00012p+3F, -0x1.3f2fd4p-2F, 1, 0, 0},
+                                        {0x1.1d3f16p+7F, 0x1.effff6p+3F, 0x1.6316b6p-3F, 1, 1, 0},
+                                        {0x1.f738e4p+7F, 0x1.effff6p+3F, 0x1.627b6ep-3F, 1, 0, 1}}}},
+                                     {-0x1.136452p-18F,
+                                      {{{0x1.6342dap+7F, 0x1.f00038p+3F, -0x1.e8782ap-3F, 1, 0, 0},
+                                        {0x1.da14ecp+6F, 0x1.efff9p+3F, 0x1.e8b60ap-2F, 1, 1, 0},
+                                        {0x1.dbd8e6p+7F, 0x1.efff9p+3F, 0x1.e868dcp-2F, 1, 0, 1}}}}}};
+    for (const Case& c : cases) {
+        std::vector<Vertex> vertices{
+            {-400, -400, c.before, 1, 0, 0}, {2000, -400, c.before, 1, 1, 0}, {-400, 2000, c.before, 1, 0, 1}};
+        vertices.insert(vertices.end(), c.corners.begin(), c.corners.end());
+        RasterJob job = job_of(vertices, texels.texture);
+        job.depth = true;
+        RasterCounters counters;
+        expect_exact(texels, job, counters, text_of(c.corners));
+        if (HasFatalFailure()) return;
+    }
+}
+
 /// From an origin below 0 float32 does not hold where a corner is: one next to a centre is not beyond it.
 TEST(RasterEqualsExact, NextToACentreFarFromTheOrigin) {
     laws::Dice dice(17);
@@ -435,17 +476,18 @@ TEST(RasterEqualsExact, WhereManyTrianglesAreDrawnAtOnce) {
 TEST(RasterRefuses, WhatIsNotFiniteOrBehindTheEye) {
     laws::Dice dice(8);
     const RasterTexture& texture = textures()[0].texture;
-    const auto spoilt = [&](Vertex& c, int which) {
+    const auto spoilt = [&](Vertex& c, int which, bool perspective) {
         const float wrong = std::array{NAN, INFINITY, -INFINITY}[static_cast<std::size_t>(dice.whole(0, 2))];
         const std::array<float*, 6> fields{&c.x, &c.y, &c.z, &c.w, &c.u, &c.v};
-        *fields[static_cast<std::size_t>(which)] = which == 3 && dice.often(.5) ? -dice.within(0, 1) : wrong;
+        *fields[static_cast<std::size_t>(which)] =
+            which == 3 && perspective && dice.often(.5) ? -dice.within(0, 1) : wrong;
     };
     for (int n = 0; n < 3000; ++n) {
         auto corners =
             laws::random_corners(dice, static_cast<laws::Family>(n % laws::kFamilies), {0, 0, kWidth, kHeight}, 3);
-        spoilt(corners[static_cast<std::size_t>(n % 3)], n % 6);
         RasterJob job = job_of(corners, texture);
-        job.perspective = true, job.depth = true;
+        job.perspective = dice.often(.5), job.depth = dice.often(.5), job.cull_back = dice.often(.5);
+        spoilt(corners[static_cast<std::size_t>(n % 3)], n % 6, job.perspective);
         RasterCounters counters;
         ASSERT_EQ(drawn(texture, job, counters), Picture{}) << text_of(corners);
     }
