@@ -78,9 +78,10 @@ HWY_NOINLINE void fill_rows(const Batch& b, int t, const Canvas& canvas) {
 }
 
 /// The rows of one triangle, as many pixels at once as `Tag` has lanes. kWide: it is so wide that each row is asked
-/// whether it is sure, else some at once are.
+/// whether it is sure, else some at once are; with a depth test such ones are draw_depth_tiles()'s.
 template <bool kWide, Addressing kAddressing, bool kDepth, bool kCertain, class Tag>
 HWY_NOINLINE void draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) {
+    static_assert(!kWide || !kDepth);
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
     Texels<Tag, kAddressing> texels(canvas, b, t, certain_of(b, t));
     Again again(canvas, b, t, false);
@@ -92,8 +93,8 @@ HWY_NOINLINE void draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
     const auto u_step = hn::Mul(u_x, hn::Set(p, kLanes)), v_step = hn::Mul(v_x, hn::Set(p, kLanes));
     const Columns columns{b.column0.at[t], b.column1.at[t]};
     const std::ptrdiff_t pitch = canvas.target.pitch;
-    const bool level = kWide && !kDepth && b.u.step.at[t] == 0 && b.v.step.at[t] == 0 &&
-                       canvas.settings->skip(RasterSkip::zero_gradient);
+    const bool level =
+        kWide && b.u.step.at[t] == 0 && b.v.step.at[t] == 0 && canvas.settings->skip(RasterSkip::zero_gradient);
     if (level) ++canvas.counters->of(RasterSkip::zero_gradient);
     uint64_t samples = 0;
     for (int row = b.row0.at[t], count = 0; row < b.row1.at[t]; row += count) {

@@ -1,6 +1,6 @@
-// Which samples of a block a small triangle owns: the sides' values at all of them at once, no rows. On the coarse
-// grid, up to 8 px wide, these are whole multiples of 2^-16 below 2^8, which float32 holds exactly; elsewhere what
-// comes near 0 is left to the rows.
+// Which samples of a block a small triangle owns, and what u and v are there: the sides' values at all of them at once,
+// no rows. On the coarse grid, up to 8 px wide, these are whole multiples of 2^-16 below 2^8, which float32 holds
+// exactly; elsewhere what comes near 0 is left to the rows.
 #if defined(TEXELSCOPE_COVER_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TEXELSCOPE_COVER_INL
 #undef TEXELSCOPE_COVER_INL
@@ -40,6 +40,14 @@ HWY_INLINE bool cover(const Batch& b, int t, uint64_t& inside) {
         inside |= uint64_t{bits_of(f, hn::And(hn::And(in(e0, 0), in(e1, 1)), in(e2, 2)))} << first;
     }
     return true;
+}
+
+/// u or v at samples (x, y) of the block, biased by its doubt [units].
+template <class Tag>
+HWY_INLINE hn::Vec<Tag> units_at(Tag p, const CoordinateEight& u, int t, hn::Vec<Tag> x, hn::Vec<Tag> y) {
+    const auto first = static_cast<uint32_t>(static_cast<int64_t>(u.plane.at.at[t] + u.doubt.at[t]));
+    const auto at_row = hn::Add(hn::Mul(y, hn::Set(p, static_cast<uint32_t>(u.down.at[t]))), hn::Set(p, first));
+    return hn::Add(hn::Mul(x, hn::Set(p, static_cast<uint32_t>(u.step.at[t]))), at_row);
 }
 
 }  // namespace HWY_NAMESPACE

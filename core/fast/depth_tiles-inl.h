@@ -91,7 +91,7 @@ public:
             runs_[count_ - 1].x1 = x + kSide;
             // Known before it is so: until then nobody asks.
             if (whole_rows && reach_.last_left <= x && x + kSide <= reach_.first_right)
-                canvas.tiles->cover(x / kSide, tile_y, static_cast<float>(z.high));
+                canvas.tiles->note_covered(x / kSide, tile_y, static_cast<float>(z.high));
         }
     }
     [[nodiscard]] HWY_INLINE const Run* begin() const { return runs_; }

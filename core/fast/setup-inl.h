@@ -253,21 +253,18 @@ HWY_INLINE Units units_of(V a0, V a1, V a2, const Canvas& canvas, bool is_u, Eig
     return {hn::Mul(texel, size), texel, power_of_two(d, hn::Sub(hn::Set(d, 32.0), bits))};
 }
 
-/// 0, or NaN where one of them is not finite.
-HWY_INLINE V nothing_of(V a0, V a1, V a2) {
-    const V zero = hn::Zero(Real{});
-    return hn::MulAdd(a0, zero, hn::MulAdd(a1, zero, hn::Mul(a2, zero)));
-}
-
-HWY_INLINE Floats nothing_of(const Floats (&a)[3], const Floats (&b)[3]) {
+/// Where z, w, u and v are finite, those that nobody asks for, too: a triangle with a number that is not draws nothing.
+HWY_INLINE hn::Mask<Real> has_finite_values(const Eights& f) {
     const Floats zero = hn::Zero(Narrow{});
-    const auto of = [&](const Floats(&c)[3]) HWY_ATTR {
-        return hn::Add(hn::Add(hn::Mul(c[0], zero), hn::Mul(c[1], zero)), hn::Mul(c[2], zero));
+    const auto nothing_of = [&](const Floats(&a)[3]) HWY_ATTR {  // or NaN
+        return hn::MulAdd(a[0], zero, hn::MulAdd(a[1], zero, hn::Mul(a[2], zero)));
     };
-    return hn::Add(of(a), of(b));
+    const Floats nothing =
+        hn::Add(hn::Add(nothing_of(f.z), nothing_of(f.w)), hn::Add(nothing_of(f.u), nothing_of(f.v)));
+    return hn::Eq(promote(nothing), hn::Zero(Real{}));
 }
 
-/// Returns where the corners' values are finite and int32 can tell the texels.
+/// Returns where int32 can tell the texels.
 HWY_INLINE hn::Mask<Real> coordinate(const Floats (&a)[3], bool is_u, const Shape& s, const Canvas& canvas,
                                      CoordinateEight& out, int lane) {
     const Real d;
@@ -285,7 +282,7 @@ HWY_INLINE hn::Mask<Real> coordinate(const Floats (&a)[3], bool is_u, const Shap
     store_fraction(certainty.least, out.least.at + lane);
     store_fraction(hn::Load(d, out.plane.x.at + lane), out.step.at + lane);
     store_fraction(hn::Load(d, out.plane.y.at + lane), out.down.at + lane);
-    return hn::And(certainty.fits, hn::Eq(nothing_of(a0, a1, a2), hn::Zero(d)));
+    return certainty.fits;
 }
 
 /// E of the side from a to b over the block of samples from (sx, sy): positive inside.
@@ -319,7 +316,7 @@ HWY_INLINE V rounded_plane(V a0, V a1, V a2, const Shape& s, PlaneEight& out, in
     return hn::MulAdd(grown, hn::Set(d, 8 * kUlp), hn::Mul(reach, hn::Set(d, 20 * kUlp)));
 }
 
-/// Returns where u, v and w are finite, and w is positive; `flat` is where it is the same at all corners.
+/// Returns where w is positive; `flat` is where it is the same at all corners.
 HWY_INLINE hn::Mask<Real> set_up_perspective(const Eights& f, const Shape& s, const Canvas& canvas,
                                              hn::Mask<Real>& flat, Batch& batch, int lane) {
     const Real d;
@@ -329,12 +326,10 @@ HWY_INLINE hn::Mask<Real> set_up_perspective(const Eights& f, const Shape& s, co
     const V i0 = hn::Div(one, w0), i1 = hn::Div(one, w1), i2 = hn::Div(one, w2), least = least_of(i0, i1, i2);
     const V kappa = hn::Div(most_of(i0, i1, i2), least);
     const V one_error = rounded_plane(i0, i1, i2, s, batch.one, lane);
-    V nothing = hn::Zero(d);
     const auto over = [&](const Floats(&a)[3], bool is_u, EightInt& shift, PlaneEight& out, Eight& far,
                           FloatEight& along) HWY_ATTR {
         const Real r;
         V a0 = promote(a[0]), a1 = promote(a[1]), a2 = promote(a[2]);
-        nothing = hn::Add(nothing, nothing_of(a0, a1, a2));
         const Units units = units_of(a0, a1, a2, canvas, is_u, shift, lane);
         a0 = hn::Mul(a0, units.unit), a1 = hn::Mul(a1, units.unit), a2 = hn::Mul(a2, units.unit);
         const V error = rounded_plane(hn::Mul(a0, i0), hn::Mul(a1, i1), hn::Mul(a2, i2), s, out, lane);
@@ -357,8 +352,7 @@ HWY_INLINE hn::Mask<Real> set_up_perspective(const Eights& f, const Shape& s, co
     };
     over(f.u, true, batch.u.shift, batch.u_over, batch.u_far, batch.u_along);
     over(f.v, false, batch.v.shift, batch.v_over, batch.v_far, batch.v_along);
-    nothing = hn::Add(nothing, nothing_of(w0, w1, w2));
-    return hn::And(hn::Gt(least_of(w0, w1, w2), hn::Zero(d)), hn::Eq(nothing, hn::Zero(d)));
+    return hn::Gt(least_of(w0, w1, w2), hn::Zero(d));
 }
 
 /// Elsewhere than on the coarse grid, what float32 loses of a side's value: half an ulp of one below 2^8 in it and in
@@ -442,8 +436,6 @@ HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
         store_int(hn::IfThenElseZero(hn::Gt(s.area, hn::Zero(d)), hn::Set(d, 1.0)), batch.front.at + lane);
         const auto one_texel = in_one_texel(f, canvas);
         store_int(hn::IfThenElseZero(one_texel, hn::Set(d, 1.0)), batch.one_texel.at + lane);
-        // Those that nobody asks for count, too: a triangle with a number that is not finite draws nothing.
-        V nothing = promote(nothing_of(f.z, f.w));
         const auto affine = [&]() HWY_ATTR {
             return hn::And(coordinate(f.u, true, s, canvas, batch.u, lane),
                            coordinate(f.v, false, s, canvas, batch.v, lane));
@@ -477,7 +469,7 @@ HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
             // Neither draw_tiny() nor draw_small() gives any of these back.
             has_rows = !hn::AllTrue(d, hn::AndNot(one_texel, hn::And(small, coarse)));
         }
-        good = hn::And(good, hn::And(hn::Eq(nothing, hn::Zero(d)), is_fine(f, canvas.target)));
+        good = hn::And(good, hn::And(has_finite_values(f), is_fine(f, canvas.target)));
         store_int(hn::IfThenElseZero(good, hn::Set(d, 1.0)), batch.good.at + lane);
         if (has_rows) set_up_sides(p, s.area, canvas, batch, lane);
     }

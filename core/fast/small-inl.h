@@ -35,7 +35,7 @@ HWY_INLINE int pack(uint64_t bits, uint32_t* numbers) {
 }
 
 /// The samples of `inside` that pass the depth test; it is left nearer.
-HWY_INLINE uint64_t pass_depth(const Batch& b, int t, uint64_t inside, Again& again, const Canvas& canvas) {
+HWY_INLINE uint64_t pass_depth_in_block(const Batch& b, int t, uint64_t inside, Again& again, const Canvas& canvas) {
     const hn::CappedTag<uint32_t, kSmall> p;
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
     uint64_t nearer = 0;
@@ -68,15 +68,11 @@ HWY_NOINLINE bool draw_small(const Batch& b, int t, const Canvas& canvas) {
     const bool late = kDepth && !canvas.settings->skip(RasterSkip::early_z);
     uint64_t shown = inside;
     if (kDepth && !late) {
-        shown = pass_depth(b, t, inside, again, canvas);
+        shown = pass_depth_in_block(b, t, inside, again, canvas);
         if (shown != inside) again.note_spared();
         if (shown == 0) return true;
     }
     const Texels<decltype(p), kAddressing> texels(canvas, b, t, certain_of(b, t));
-    const auto first = [&](const CoordinateEight& u) {
-        return hn::Set(decltype(p){}, static_cast<uint32_t>(static_cast<int64_t>(u.plane.at.at[t] + u.doubt.at[t])));
-    };
-    const auto u0 = first(b.u), v0 = first(b.v);
     alignas(64) uint32_t numbers[kSmall * kSmall + kLanes];
     const int count = pack(shown, numbers);
     uint32_t* const pixels = canvas.target.pixels + row * canvas.target.pitch + column;
@@ -88,11 +84,7 @@ HWY_NOINLINE bool draw_small(const Batch& b, int t, const Canvas& canvas) {
         const auto number = hn::IfThenElse(hn::FirstN(p, static_cast<size_t>(count - n)), hn::Load(p, numbers + n),
                                            hn::Set(p, numbers[n]));
         const auto x = hn::And(number, hn::Set(p, kSmall - 1U)), y = hn::ShiftRight<kSmallBits>(number);
-        const auto at = [&](const CoordinateEight& u, auto from) HWY_ATTR {
-            const auto at_row = hn::Add(hn::Mul(y, hn::Set(p, static_cast<uint32_t>(u.down.at[t]))), from);
-            return hn::Add(hn::Mul(x, hn::Set(p, static_cast<uint32_t>(u.step.at[t]))), at_row);
-        };
-        const auto u = at(b.u, u0), v = at(b.v, v0);
+        const auto u = units_at(p, b.u, t, x, y), v = units_at(p, b.v, t, x, y);
         scatter_looked_up(p, texels.texels, texels.place(u, v), hn::Add(hn::Mul(y, hn::Set(p, pitch)), x), out);
         uint32_t unsure = bits_of(p, texels.unsure(u, v));
         if (unsure == 0 || !canvas.settings->certain) continue;
@@ -103,7 +95,7 @@ HWY_NOINLINE bool draw_small(const Batch& b, int t, const Canvas& canvas) {
         }
     }
     if (late)
-        for (uint64_t m = pass_depth(b, t, inside, again, canvas); m != 0; m &= m - 1) {
+        for (uint64_t m = pass_depth_in_block(b, t, inside, again, canvas); m != 0; m &= m - 1) {
             const auto which = static_cast<uint32_t>(std::countr_zero(m));
             pixels[which / kSmall * canvas.target.pitch + which % kSmall] = block[which];
         }

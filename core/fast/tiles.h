@@ -57,9 +57,8 @@ public:
                 written = std::min(kEnough, written + most);
             }
     }
-
     /// All depths of a tile have become at least so near.
-    void cover(int x, int y, float farthest) {
+    void note_covered(int x, int y, float farthest) {
         if (farthest < farthest_[index(x, y)]) set(x, y, farthest);
     }
 

@@ -27,20 +27,12 @@ HWY_INLINE bool draw_tiny(const Batch& b, int t, const Canvas& canvas) {
     if (row + 4 > canvas.target.height) inside &= (1U << (4 * (canvas.target.height - row))) - 1;
     if (inside == 0) return true;
     canvas.counters->samples += static_cast<uint64_t>(std::popcount(inside));
-    const auto first = [&](const CoordinateEight& u) {
-        return static_cast<uint32_t>(static_cast<int64_t>(u.plane.at.at[t] + u.doubt.at[t]));
-    };
-    const auto u0 = hn::Set(p, first(b.u)), v0 = hn::Set(p, first(b.v));
     const auto x = hn::And(hn::Iota(p, 0), hn::Set(p, 3U));
     alignas(64) uint32_t found[16];
     uint32_t unsure = 0;
     for (int lane = 0; lane < 16; lane += kLanes) {
         const auto y = hn::ShiftRight<2>(lanes_from(p, static_cast<uint32_t>(lane)));
-        const auto at = [&](const CoordinateEight& u, auto from) HWY_ATTR {
-            const auto at_row = hn::Add(hn::Mul(y, hn::Set(p, static_cast<uint32_t>(u.down.at[t]))), from);
-            return hn::Add(hn::Mul(x, hn::Set(p, static_cast<uint32_t>(u.step.at[t]))), at_row);
-        };
-        const auto u = at(b.u, u0), v = at(b.v, v0);
+        const auto u = units_at(p, b.u, t, x, y), v = units_at(p, b.v, t, x, y);
         hn::Store(texels.fetch(u, v), p, found + lane);
         unsure |= bits_of(p, texels.unsure(u, v)) << lane;
     }

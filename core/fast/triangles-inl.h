@@ -91,8 +91,10 @@ HWY_INLINE void draw_triangle(const Batch& b, int t, const Canvas& canvas) {
     if constexpr (kMost && !kDepth)
         if (widest <= kNarrow) return draw_columns<kAddressing, kCertain>(b, t, canvas);
     if (widest <= kMedium) return draw_rows<false, kAddressing, kDepth, kCertain>(medium, b, t, canvas);
-    if constexpr (kDepth) return draw_depth_tiles<kAddressing>(b, t, canvas);
-    return draw_rows<true, kAddressing, kDepth, kCertain>(wide, b, t, canvas);
+    if constexpr (kDepth)
+        draw_depth_tiles<kAddressing>(b, t, canvas);
+    else
+        draw_rows<true, kAddressing, kDepth, kCertain>(wide, b, t, canvas);
 }
 
 /// Sets up the triangles that wait and draws them.
