@@ -36,20 +36,28 @@ HWY_INLINE bool draw_tiny(const Batch& b, int t, const Canvas& canvas) {
         hn::Store(texels.fetch(u, v), p, found + lane);
         unsure |= bits_of(p, texels.unsure(u, v)) << lane;
     }
-    uint32_t* out = canvas.target.pixels + row * canvas.target.pitch + column;
-    const hn::CappedTag<uint32_t, 4> four;
-    for (int n = 0; n < 4; ++n, out += canvas.target.pitch) {
-        // Others' rows, or none: a masked store leaves them alone, but not one that writes what stands there again.
-        if (HWY_TARGET > HWY_AVX3 && row + n == canvas.target.height) break;
-        const uint32_t* const end = out - column + canvas.target.width;
-        const uint8_t bits[8] = {static_cast<uint8_t>(inside >> (4 * n) & 15)};
-        store_some(hn::Load(four, found + 4 * n), hn::LoadMaskBits(four, bits), four, out, end);
+    const std::ptrdiff_t pitch = canvas.target.pitch;
+    uint32_t* const out = canvas.target.pixels + row * pitch + column;
+    if (HWY_TARGET <= HWY_AVX3 || (column + 4 <= canvas.target.width && row + 4 <= canvas.target.height)) {
+        const hn::CappedTag<uint32_t, 4> four;
+        uint32_t* line = out;
+        for (int n = 0; n < 4; ++n, line += pitch) {
+            const uint8_t bits[8] = {static_cast<uint8_t>(inside >> (4 * n) & 15)};
+            store_some(hn::Load(four, found + 4 * n), hn::LoadMaskBits(four, bits), four, line, line + 4);
+        }
+    } else {
+        // Beyond the target's end are others' rows, or none: a masked store leaves them alone, but not one that writes
+        // what stands there again.
+        for (uint32_t m = inside; m != 0; m &= m - 1) {
+            const int n = std::countr_zero(m);
+            out[(n >> 2) * pitch + (n & 3)] = found[n];
+        }
     }
     if ((unsure & inside) == 0 || !canvas.settings->certain) return true;
     Again again(canvas, b, t, false);
     for (uint32_t m = unsure & inside; m != 0; m &= m - 1) {
         const int n = std::countr_zero(m), at_x = column + (n & 3), at_y = row + (n >> 2);
-        canvas.target.pixels[at_y * canvas.target.pitch + at_x] = again.texel(at_x, at_y);
+        canvas.target.pixels[at_y * pitch + at_x] = again.texel(at_x, at_y);
     }
     return true;
 }
