@@ -102,7 +102,7 @@ HWY_NOINLINE void draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
         count = std::min(kRows, b.row1.at[t] - row);
         cross(b, t, row, count, columns, canvas, rows);
         start(b, t, row, count, texels.u.bias, texels.v.bias, rows);
-        Least<Tag> least;
+        Least<Tag, kAddressing> least;
         uint32_t unsure = 0;
         const uint64_t before = samples;
         for (int n = 0, y = row; n < count; ++n, ++y) {
@@ -180,7 +180,7 @@ HWY_NOINLINE void draw_columns(const Batch& b, int t, const Canvas& canvas) {
         cross(b, t, row, count, columns, canvas, rows);
         start(b, t, row, count, texels.u.bias, texels.v.bias, rows);
         for (int n = count; n % kLanes != 0; ++n) rows.x0.at[n] = rows.x1.at[n] = 0;
-        Least<Tag> least;
+        Least<Tag, kAddressing> least;
         const uint64_t before = samples;
         for (int n = 0; n < count; n += kLanes) {
             const auto load = [&](const OfRows<int32_t>& of) HWY_ATTR { return hn::Load(s, of.at + n); };

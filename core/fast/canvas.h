@@ -12,6 +12,7 @@ enum class Addressing : std::uint8_t {
     powers,    ///< 2^-32 of the texture, which repeats as the number overflows; sizes are powers of two
     any_size,  ///< the same, and the column is the upper half of a product with the size
     clamped,   ///< 2^-shift texel, the shift a triangle's own
+    halves,    ///< powers, but counted in 2^-16 texel: how some rows are drawn (halves-inl.h), no canvas's own
 };
 
 struct Canvas {

@@ -9,6 +9,7 @@
 #endif
 
 #include "core/fast/affine-inl.h"
+#include "core/fast/halves-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace texelscope {
@@ -27,9 +28,20 @@ struct Slope {
     float scale = 1;        ///< 2^-shift
     double doubt = 0;       ///< FloatBound::doubt
 
-    HWY_INLINE void bound(double relative, double kappa, double far) {
+    /// @param size_bits  log2 of the texture's size; halves alone ask
+    template <Addressing kAddressing>
+    HWY_INLINE void bound(double relative, double kappa, double far, [[maybe_unused]] int size_bits) {
         const One d;
-        const FloatBound<One> bound(d, hn::Set(d, relative), hn::Set(d, kappa), hn::Set(d, far));
+        const auto most = hn::Set(d, relative), largest = hn::Set(d, kappa);
+        if constexpr (kAddressing == Addressing::halves) {
+            // Half a 2^-16 of a texel is lost of the middle, and half of one of what comes to it, which must fit int32.
+            shift = kHalfBits - size_bits, scale = 1.0F / static_cast<float>(1 << shift);
+            const double rounding = 1.1 * (1 << shift) + 3;
+            const bool fits = relative < 0x1p30 * (1 << shift);
+            doubt = fits ? hn::GetLane(lost_by_float(d, most, largest)) + rounding + far : kNoBound;
+            return;
+        }
+        const FloatBound<One> bound(d, most, largest, hn::Set(d, far));
         shift = static_cast<int>(hn::GetLane(bound.shift)), scale = static_cast<float>(hn::GetLane(bound.scale));
         doubt = hn::GetLane(bound.doubt);
     }
@@ -41,8 +53,9 @@ struct Slopes {
 };
 
 /// The slopes of rows [row, row + count); with kBound how far they take u and v, too.
-template <bool kBound>
-HWY_INLINE void slopes_of(const Batch& b, int t, int row, int count, const Rows& rows, Slopes& slopes) {
+template <bool kBound, Addressing kAddressing>
+HWY_INLINE void slopes_of(const Batch& b, int t, int row, int count, const Canvas& canvas, const Rows& rows,
+                          Slopes& slopes) {
     const Real d;
     const Narrow f;
     const V one = hn::Set(d, 1.0), column = hn::Set(d, b.column0.at[t]), d_x = hn::Set(d, b.one.x.at[t]);
@@ -77,19 +90,24 @@ HWY_INLINE void slopes_of(const Batch& b, int t, int row, int count, const Rows&
     }
     if constexpr (kBound) {
         const double kappa = hn::GetLane(hn::MaxOfLanes(d, kappas));
-        slopes.u.bound(hn::GetLane(hn::MaxOfLanes(d, u_most)), kappa, b.u_far.at[t]);
-        slopes.v.bound(hn::GetLane(hn::MaxOfLanes(d, v_most)), kappa, b.v_far.at[t]);
+        slopes.u.bound<kAddressing>(hn::GetLane(hn::MaxOfLanes(d, u_most)), kappa, b.u_far.at[t], canvas.u_bits);
+        slopes.v.bound<kAddressing>(hn::GetLane(hn::MaxOfLanes(d, v_most)), kappa, b.v_far.at[t], canvas.v_bits);
     }
 }
 
+/// Halves in 2^shift units.
+template <Addressing kAddressing>
 HWY_INLINE void bias(const Slope& slope, double by, int count, OfRows<int32_t>& to) {
     const Real d;
-    for (int lane = 0; lane < count; lane += kReals)
-        store_fraction(hn::Add(hn::Load(d, slope.middle.at + lane), hn::Set(d, by)), to.at + lane);
+    for (int lane = 0; lane < count; lane += kReals) {
+        V at = hn::Add(hn::Load(d, slope.middle.at + lane), hn::Set(d, by));
+        if constexpr (kAddressing == Addressing::halves) at = hn::Mul(at, hn::Set(d, slope.scale));
+        store_fraction(at, to.at + lane);
+    }
 }
 
 /// One row: u and v, some pixels at once.
-template <class Tag>
+template <class Tag, Addressing kAddressing>
 struct PerspectiveRow {
     using Float = hn::Rebind<float, Tag>;
     hn::Vec<Tag> u0, v0;
@@ -107,17 +125,48 @@ struct PerspectiveRow {
     /// i pixels after the row's middle.
     HWY_INLINE void at(hn::Vec<Float> i, hn::Vec<Tag>& u, hn::Vec<Tag>& v) const {
         const Float f;
-        const auto quotient = divides ? hn::Div(i, hn::MulAdd(i, d, hn::Set(f, 1.0F))) : i,
-                   whole = hn::Set(f, kWholeFloat);
+        const bool must = kAddressing == Addressing::halves || divides;
+        const auto quotient = must ? hn::Div(i, hn::MulAdd(i, d, hn::Set(f, 1.0F))) : i;
+        if constexpr (kAddressing == Addressing::halves) {
+            u = hn::Add(u0, nearest(Tag{}, hn::Mul(u_n, quotient)));
+            v = hn::Add(v0, nearest(Tag{}, hn::Mul(v_n, quotient)));
+            return;
+        }
+        const auto whole = hn::Set(f, kWholeFloat);
         u = hn::Add(u0, hn::ShiftLeftSame(hn::BitCast(Tag{}, hn::MulAdd(u_n, quotient, whole)), u_shift));
         v = hn::Add(v0, hn::ShiftLeftSame(hn::BitCast(Tag{}, hn::MulAdd(v_n, quotient, whole)), v_shift));
     }
 
 private:
     [[nodiscard]] static HWY_INLINE hn::Vec<Tag> from(int32_t middle, int shift) {
+        if constexpr (kAddressing == Addressing::halves) return hn::Set(Tag{}, static_cast<uint32_t>(middle));
         return hn::Set(Tag{}, static_cast<uint32_t>(middle) - (std::bit_cast<uint32_t>(kWholeFloat) << shift));
     }
 };
+
+/// Some pixels of one row, the first of them `to_middle` before its middle. The last ones are a whole vector, too,
+/// where there are so many: pixels that it shares with the vector before are drawn twice.
+template <bool kCertain, Addressing kAddressing, class Tag>
+HWY_INLINE void put_row(Tag p, const Texels<Tag, kAddressing>& texels, const PerspectiveRow<Tag, kAddressing>& along,
+                        float to_middle, int count, uint32_t* out, const uint32_t* end,
+                        Least<Tag, kAddressing>& least) {
+    const hn::Rebind<float, Tag> f;
+    constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
+    auto u = hn::Zero(p), v = u;
+    auto i = lanes_from(f, -to_middle);
+    if (count < kLanes) {
+        along.at(i, u, v);
+        return put_some<kCertain>(p, texels, u, v, count, out, end, least);
+    }
+    uint32_t* const last = out + count - kLanes;
+    for (; out < last; out += kLanes) {
+        along.at(i, u, v);
+        put_all<kCertain>(p, texels, u, v, out, least);
+        i = hn::Add(i, hn::Set(f, kLanes));
+    }
+    along.at(lanes_from(f, static_cast<float>(count - kLanes) - to_middle), u, v);
+    put_all<kCertain>(p, texels, u, v, last, least);
+}
 
 /// Every texel of some rows in double: float32 cannot tell any.
 template <bool kDepth>
@@ -153,7 +202,7 @@ HWY_NOINLINE bool perspective_again(Tag p, int row, uint32_t which, const Rows& 
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
     for (; which != 0; which &= which - 1) {
         const int n = std::countr_zero(which);
-        const PerspectiveRow<Tag> line(rows, slopes, n);
+        const PerspectiveRow<Tag, kAddressing> line(rows, slopes, n);
         for (int x = rows.x0.at[n]; x < rows.x1.at[n]; x += kLanes) {
             auto u = hn::Zero(p), v = hn::Zero(p);
             line.at(lanes_from(f, static_cast<float>(x - rows.x0.at[n]) - slopes.before.at[n]), u, v);
@@ -188,6 +237,8 @@ template <bool kNarrow, Addressing kAddressing, bool kDepth, bool kCertain, clas
 HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& canvas, int from) {
     const hn::Rebind<float, Tag> f;
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
+    // In double, units are finer.
+    constexpr Addressing kInUnits = kAddressing == Addressing::halves ? Addressing::powers : kAddressing;
     const auto lanes = hn::Iota(f, 0.0F);
     const std::ptrdiff_t pitch = canvas.target.pitch;
     const Columns columns{b.column0.at[t], b.column1.at[t]};
@@ -215,7 +266,7 @@ HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
         for (int done = 0; done < widest; done += segment) {
             if constexpr (!kNarrow) part_of(whole, count, done, segment, part);
             const uint64_t before = samples;
-            slopes_of<!kNarrow>(b, t, row, count, rows, slopes);
+            slopes_of<!kNarrow, kAddressing>(b, t, row, count, canvas, rows, slopes);
             if constexpr (!kNarrow) {
                 certain = certain_of(canvas, b, t, slopes.u.doubt, slopes.v.doubt, gaps);
                 texels = Texels<Tag, kAddressing>(canvas, b, t, certain);
@@ -224,32 +275,30 @@ HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
                     continue;
                 }
             }
-            bias(slopes.u, texels.u.bias, count, rows.u), bias(slopes.v, texels.v.bias, count, rows.v);
-            Least<Tag> least;
+            bias<kAddressing>(slopes.u, texels.u.bias, count, rows.u);
+            bias<kAddressing>(slopes.v, texels.v.bias, count, rows.v);
+            Least<Tag, kAddressing> least;
             uint32_t unsure = 0;
-            auto u = hn::Zero(p), v = u;
+            [[maybe_unused]] auto u = hn::Zero(p), v = u;
             for (int n = 0, y = row; n < count; ++n, ++y) {
                 int x = rows.x0.at[n], left = rows.x1.at[n] - x;
                 if (left <= 0) continue;
                 samples += static_cast<uint64_t>(left);
-                const PerspectiveRow<Tag> along(rows, slopes, n);
+                const PerspectiveRow<Tag, kAddressing> along(rows, slopes, n);
                 [[maybe_unused]] const DepthRow<Tag> depth(b, t, y);
-                auto i = hn::Sub(lanes, hn::Set(f, slopes.before.at[n]));
-                for (; left > 0; left -= kLanes, x += kLanes, i = hn::Add(i, hn::Set(f, kLanes))) {
-                    if constexpr (kDepth) {
+                const float to_middle = slopes.before.at[n];
+                if constexpr (kDepth) {
+                    auto i = hn::Sub(lanes, hn::Set(f, to_middle));
+                    for (; left > 0; left -= kLanes, x += kLanes, i = hn::Add(i, hn::Set(f, kLanes))) {
                         const auto in = hn::FirstN(p, static_cast<size_t>(left));
                         const auto shown = test_early(depth, x, y, in, again, canvas);
                         if (hn::AllFalse(p, shown)) continue;
                         along.at(i, u, v);
                         put_tested(p, texels, u, v, depth, x, y, shown, again, canvas);
-                    } else {
-                        along.at(i, u, v);
-                        uint32_t* const out = canvas.target.pixels + y * pitch + x;
-                        if (left >= kLanes)
-                            put_all<kCertain>(p, texels, u, v, out, least);
-                        else
-                            put_some<kCertain>(p, texels, u, v, left, out, out - x + canvas.target.width, least);
                     }
+                } else {
+                    uint32_t* const line = canvas.target.pixels + y * pitch;
+                    put_row<kCertain>(p, texels, along, to_middle, left, line + x, line + canvas.target.width, least);
                 }
                 if constexpr (!kNarrow && !kDepth && kCertain)
                     if (!least.is_sure(texels)) {
@@ -279,7 +328,7 @@ HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
             forget(canvas, row, count, whole), count = 0, samples = above;
         else
             finely = mended && again.often(row + count - b.row0.at[t]);
-        if (finely && draw_finely<true, kAddressing, kDepth>(b, t, row + count, again, canvas, samples)) break;
+        if (finely && draw_finely<true, kInUnits, kDepth>(b, t, row + count, again, canvas, samples)) break;
     }
     canvas.counters->samples += samples;
     return true;

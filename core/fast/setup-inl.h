@@ -209,27 +209,35 @@ struct Certainty {
     }
 };
 
+/// So much is in doubt where nothing is known [units].
+constexpr double kNoBound = 0x1p40;
+
+/// The most that float32 loses of u or v along a row in perspective, before it is rounded to whole units.
+/// @param relative  no value is farther from the middle's [units]
+/// @param kappa     D of the middle over any other D is no more than it
+template <class D>
+HWY_INLINE hn::Vec<D> lost_by_float(D d, hn::Vec<D> relative, hn::Vec<D> kappa) {
+    // d, and i d where multiplication and addition are not fused, lose 2^-24 (kappa - 1) each, seen from 1 + i d; n,
+    // that sum, the quotient and the last product 2^-24: 2 kappa + 2, and some for what is lost of these losses.
+    return hn::Mul(hn::Mul(relative, hn::Set(d, 0x1p-24)), hn::MulAdd(kappa, hn::Set(d, 2.0), hn::Set(d, 6.0)));
+}
+
 /// How float32 carries u or v along a row in perspective, from the middle.
 template <class D>
 struct FloatBound {
     hn::Vec<D> shift, scale;  ///< it counts in 2^shift units; 2^-shift
     hn::Vec<D> doubt;         ///< the most that a value may be wrong [units]
 
-    /// @param relative  no value is farther from the middle's [units]
-    /// @param kappa     D of the middle over any other D is no more than it
-    /// @param far       bound of what double has lost [units]
+    /// @param far  bound of what double has lost [units]
     HWY_INLINE FloatBound(D d, hn::Vec<D> relative, hn::Vec<D> kappa, hn::Vec<D> far) {
         shift = hn::Max(hn::Sub(exponent_of(d, relative), hn::Set(d, 20.0)), hn::Zero(d));
         const auto fits = hn::Lt(shift, hn::Set(d, 24.0));
         shift = hn::IfThenElseZero(fits, shift);
         scale = power_of_two(d, hn::Neg(shift));
-        // float32: d, and i d where multiplication and addition are not fused, lose 2^-24 (kappa - 1) each, seen from
-        // 1 + i d; n, that sum, the quotient and the last product 2^-24; then comes one rounding to whole 2^shift
-        // units. 2 kappa + 2, and some for what is lost of these losses.
-        const auto lost =
-            hn::Mul(hn::Mul(relative, hn::Set(d, 0x1p-24)), hn::MulAdd(kappa, hn::Set(d, 2.0), hn::Set(d, 6.0)));
+        // One rounding to whole 2^shift units, and some to whole ones.
         const auto rounding = hn::MulAdd(power_of_two(d, shift), hn::Set(d, .6), hn::Set(d, 3.0));
-        doubt = hn::IfThenElse(fits, hn::Add(hn::Add(lost, rounding), far), hn::Set(d, 0x1p40));
+        const auto all = hn::Add(hn::Add(lost_by_float(d, relative, kappa), rounding), far);
+        doubt = hn::IfThenElse(fits, all, hn::Set(d, kNoBound));
     }
 };
 

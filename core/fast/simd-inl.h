@@ -234,6 +234,27 @@ HWY_INLINE hn::Vec<Tag> look_up(Tag p, const uint32_t* table, hn::Vec<Tag> place
 #endif
 }
 
+/// Stores table[place] of each lane to out, side by side; one by one, which leaves the shuffling of vectors to others.
+template <class Tag>
+HWY_INLINE void store_looked_up([[maybe_unused]] Tag p, const uint32_t* table, hn::Vec<Tag> place, uint32_t* out) {
+#if HWY_TARGET == HWY_SCALAR
+    out[0] = table[hn::GetLane(place)];
+#else
+    constexpr size_t kLanes = hn::MaxLanes(p);
+    if constexpr (kLanes > 4) {
+        const hn::Half<Tag> half;
+        store_looked_up(half, table, hn::LowerHalf(half, place), out);
+        store_looked_up(half, table, hn::UpperHalf(half, place), out + kLanes / 2);
+    } else {
+        const hn::Repartition<uint64_t, Tag> pairs;
+        const uint64_t low = hn::GetLane(hn::BitCast(pairs, place)),
+                       high = hn::ExtractLane(hn::BitCast(pairs, place), 1);
+        out[0] = table[static_cast<uint32_t>(low)], out[1] = table[low >> 32];
+        out[2] = table[static_cast<uint32_t>(high)], out[3] = table[high >> 32];
+    }
+#endif
+}
+
 /// Stores table[place] of each lane to out[at], in any order.
 template <class Tag>
 HWY_INLINE void scatter_looked_up([[maybe_unused]] Tag p, const uint32_t* table, hn::Vec<Tag> place, hn::Vec<Tag> at,

@@ -146,23 +146,20 @@ struct Texels {
 };
 
 /// The least of what follows the texels' bits: whether some texel may be wrong, found out once for many.
-template <class Tag>
+template <class Tag, Addressing kAddressing>
 struct Least {
     hn::Vec<Tag> u, v;
 
     HWY_INLINE Least() { u = v = hn::Set(Tag{}, ~0U); }
-    template <Addressing kAddressing>
     HWY_INLINE void see(const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> at_u, hn::Vec<Tag> at_v) {
         u = hn::Min(u, texels.u.rest(at_u)), v = hn::Min(v, texels.v.rest(at_v));
     }
     /// Those of `in` alone: where samples tie, what lies beyond a row's end often does, too.
-    template <Addressing kAddressing>
     HWY_INLINE void see(const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> at_u, hn::Vec<Tag> at_v,
                         hn::Mask<Tag> in) {
         u = hn::IfThenElse(in, hn::Min(u, texels.u.rest(at_u)), u);
         v = hn::IfThenElse(in, hn::Min(v, texels.v.rest(at_v)), v);
     }
-    template <Addressing kAddressing>
     [[nodiscard]] HWY_INLINE bool is_sure(const Texels<Tag, kAddressing>& texels) const {
         return hn::AllFalse(Tag{}, hn::Or(hn::Lt(u, texels.u.least), hn::Lt(v, texels.v.least)));
     }
@@ -171,14 +168,14 @@ struct Least {
 /// Stores the texels of as many pixels as there are lanes.
 template <bool kCertain, Addressing kAddressing, class Tag>
 HWY_INLINE void put_all(Tag p, const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> u, hn::Vec<Tag> v, uint32_t* out,
-                        Least<Tag>& least) {
-    hn::StoreU(texels.fetch(u, v), p, out);
+                        Least<Tag, kAddressing>& least) {
+    store_looked_up(p, texels.texels, texels.place(u, v), out);
     if constexpr (kCertain) least.see(texels, u, v);
 }
 /// Of the first `count` of them, in a row that goes on to `end`.
 template <bool kCertain, Addressing kAddressing, class Tag>
 HWY_INLINE void put_some(Tag p, const Texels<Tag, kAddressing>& texels, hn::Vec<Tag> u, hn::Vec<Tag> v, int count,
-                         uint32_t* out, const uint32_t* end, Least<Tag>& least) {
+                         uint32_t* out, const uint32_t* end, Least<Tag, kAddressing>& least) {
     const auto in = hn::FirstN(p, static_cast<size_t>(count));
     store_some(texels.fetch(u, v), in, p, out, end);
     if constexpr (kCertain) least.see(texels, u, v, in);

@@ -78,6 +78,12 @@ HWY_INLINE void draw_triangle(const Batch& b, int t, const Canvas& canvas) {
         if (widest <= kMedium &&
             draw_perspective<true, kAddressing, kDepth, kCertain>(medium, b, t, canvas, b.row0.at[t]))
             return;
+#if HWY_TARGET == HWY_AVX2
+        if constexpr (kMost && !kDepth)
+            if (b.one.x.at[t] != 0 && fits_halves(canvas))
+                return void(
+                    draw_perspective<false, Addressing::halves, false, kCertain>(wide, b, t, canvas, b.row0.at[t]));
+#endif
         return void(draw_perspective<false, kAddressing, kDepth, kCertain>(wide, b, t, canvas, b.row0.at[t]));
     }
     if (canvas.job->perspective) ++canvas.counters->of(RasterSkip::equal_w);
@@ -298,6 +304,7 @@ HWY_ATTR void draw_all(const Canvas& canvas) {
         }
         case Addressing::any_size: return draw_addressed<Addressing::any_size>(canvas);
         case Addressing::clamped: return draw_addressed<Addressing::clamped>(canvas);
+        case Addressing::halves: return;  // no canvas's own
     }
 }
 

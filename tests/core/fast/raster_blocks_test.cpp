@@ -84,6 +84,32 @@ TEST(RasterEqualsExact, ByBlocksInPerspective) {
     });
 }
 
+/// Sizes and pitches up to 2^15 and more: in rows, AVX2 counts texels in 16 bits where that is enough. Some textures go
+/// by thousands of times in a row.
+TEST(RasterEqualsExact, InPerspectiveWithLargeTextures) {
+    static const std::array<Addresses, 6> all{{{1 << 14, 2, Wrap::repeat},
+                                               {2, 1 << 15, Wrap::mask},
+                                               {1 << 15, 1, Wrap::repeat},
+                                               {1, 1 << 16, Wrap::repeat},
+                                               {64, 16, Wrap::repeat, (1 << 15) - 1},
+                                               {64, 16, Wrap::mask, 1 << 15}}};
+    laws::Dice dice(21);
+    RasterCounters counters;
+    for (int n = 0; n < 600; ++n) {
+        const Addresses& texels = all[static_cast<std::size_t>(n % 6)];
+        const float density = dice.often(.5) ? dice.within(.05F, 3) : std::exp2(dice.within(2, 22));
+        auto corners = laid_triangle(dice, texels.texture, density, false);
+        for (Vertex& c : corners) c.w = dice.within(1, dice.often(.8) ? 4 : 1000);
+        if (density < 3) bring_to_border(dice, texels.texture, corners);
+        RasterJob job = job_of(corners, texels.texture);
+        job.perspective = true;
+        expect_exact(texels, job, counters, std::to_string(n));
+        if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(counters.samples, 1000000U);
+    EXPECT_GT(counters.in_double, 1000U);
+}
+
 /// Up to 8 px wide, near (x, y).
 std::array<Vertex, 3> small_triangle(laws::Dice& dice, int n, float x, float y) {
     const float size = dice.often(.3) ? 4 : 7.9F;
