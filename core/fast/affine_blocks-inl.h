@@ -123,7 +123,6 @@ struct AffineEight {
 /// An affine triangle's blocks.
 class AffineBlocks {
 public:
-    static constexpr bool kPerspective = false;
     using Eights = AffineEight;
     /// What the blocks of a window show.
     struct Found : Window {
@@ -191,7 +190,7 @@ public:
             const auto texel =
                 look_up_patch(texels + found.texel[n], texture_pitch, place, _mm512_movepi32_mask(v.raw));
             const __mmask16 inside = store_block<kWhole>(texel, found.inside[n], line + found.out[n], pitch);
-            if constexpr (kCertain) unsure = _kor_mask16(unsure, doubtful(inside, u, u_tested, v, v_tested));
+            if constexpr (kCertain) unsure = _kor_mask16(unsure, in_doubt(inside, u, u_tested, v, v_tested));
         }
         return unsure == 0;
     }

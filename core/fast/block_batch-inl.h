@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/fast/affine_blocks-inl.h"
+#include "core/fast/past_ties-inl.h"
 #include "core/fast/perspective-inl.h"
 #include "core/fast/perspective_blocks-inl.h"
 
@@ -39,13 +40,22 @@ template <class Kind>
 HWY_NOINLINE bool blocks_again(const typename Kind::Found& found, const Kind& kind, Again& again, bool only_double,
                                int rows, const Canvas& canvas) {
     const auto pitch = static_cast<uint32_t>(canvas.target.pitch);
-    for (uint32_t which = (found.parts | found.wholes) & ~found.beyond; which != 0; which &= which - 1) {
+    const uint32_t blocks = (found.parts | found.wholes) & ~found.beyond;
+    uint32_t asked[kBlocks];
+    int all = 0;
+    for (uint32_t which = blocks; which != 0; which &= which - 1) {
         const int n = std::countr_zero(which);
-        for (uint32_t asked = found.inside[n] & kind.unsure(found, n); asked != 0; asked &= asked - 1) {
-            const int sample = std::countr_zero(asked);
+        asked[n] = found.inside[n] & kind.unsure(found, n);
+        all += std::popcount(asked[n]);
+    }
+    if (only_double && again.often(rows, all)) return false;
+    for (uint32_t which = blocks; which != 0; which &= which - 1) {
+        const int n = std::countr_zero(which);
+        for (uint32_t samples = asked[n]; samples != 0; samples &= samples - 1) {
+            const int sample = std::countr_zero(samples);
             const int x = static_cast<int>(found.out[n] % pitch) + sample % kBlock;
             const int y = found.row + static_cast<int>(found.out[n] / pitch) + sample / kBlock;
-            if (!mend_pixel(again, x, y, only_double, canvas) || (only_double && again.often(rows))) return false;
+            if (!mend_pixel(again, x, y, only_double, canvas)) return false;
         }
     }
     return true;
@@ -74,40 +84,27 @@ HWY_NOINLINE void forget_strips(const Batch& b, int t, int row, const Canvas& ca
     forget(canvas, row, std::min(kRows, b.row1.at[t] - row), rows);
 }
 
+/// False: some texels are unsure.
 template <bool kCertain, class Kind>
-HWY_INLINE bool put_window(const typename Kind::Found& found, const Kind& kind, const Canvas& canvas) {
-    const uint32_t others = found.far | found.beyond;
-    bool sure = true;
-    if constexpr (Kind::kPerspective)
-        if (found.far != 0) sure = kind.template put_far<kCertain>(found, found.far, canvas);
-    sure = kind.template put<false, kCertain>(found, found.parts & ~others, canvas) && sure;
-    if ((found.wholes & ~others) != 0)
-        sure = kind.template put<true, kCertain>(found, found.wholes & ~others, canvas) && sure;
-    return sure;
+HWY_INLINE bool put_near(const typename Kind::Found& found, uint32_t which, const Kind& kind, const Canvas& canvas) {
+    const bool parts = kind.template put<false, kCertain>(found, found.parts & which, canvas);
+    if ((found.wholes & which) == 0) return parts;
+    return kind.template put<true, kCertain>(found, found.wholes & which, canvas) && parts;
 }
 
-template <bool kCertain, class Kind>
-HWY_NOINLINE void draw_blocks(const Batch& b, int t, const Canvas& canvas, BlockDrawing<Kind>& drawing) {
-    Again again(canvas, b, t, Kind::kPerspective);
+template <bool kCertain>
+HWY_NOINLINE void draw_blocks(const Batch& b, int t, const Canvas& canvas, BlockDrawing<AffineBlocks>& drawing) {
+    Again again(canvas, b, t, false);
     bool ties_known = false;
     uint64_t samples = 0;
-    typename Kind::Found other;
-    Kind& kind = drawing.kind;
+    AffineBlocks::Found other;
+    AffineBlocks& kind = drawing.kind;
     auto *now = &drawing.first, *next = &other;
     for (bool more = drawing.more; more; std::swap(now, next)) {
         const int row = now->row;
-        if constexpr (Kind::kPerspective)
-            if (is_beyond(*now)) {
-                forget_strips(b, t, row, canvas);
-                draw_perspective<false, Addressing::powers, false, kCertain>(Pixel{}, b, t, canvas, row);
-                break;
-            }
         more = drawing.windows.next(b, t, canvas, kind, *next);
-        bool told = put_window<kCertain>(*now, kind, canvas) || !kCertain ||
-                    blocks_again(*now, kind, again, !ties_known, row + kRows - b.row0.at[t], canvas);
-        if constexpr (Kind::kPerspective)
-            if (told && now->beyond != 0) told = kind.put_beyond(b, t, *now, now->beyond, again, !ties_known, canvas);
-        if (told) {
+        if (put_near<kCertain>(*now, ~0U, kind, canvas) || !kCertain ||
+            blocks_again(*now, kind, again, !ties_known, row + kRows - b.row0.at[t], canvas)) {
             samples += now->samples;
             continue;
         }
@@ -115,12 +112,47 @@ HWY_NOINLINE void draw_blocks(const Batch& b, int t, const Canvas& canvas, Block
         kind.use(b, t, canvas, again.half_gaps());
         ties_known = true;
         forget_strips(b, t, row, canvas);
-        if (!kind.sure() &&
-            draw_finely<Kind::kPerspective, Addressing::powers, false>(b, t, row, again, canvas, samples))
-            break;
+        if (!kind.sure() && draw_finely<false, Addressing::powers, false>(b, t, row, again, canvas, samples)) break;
         drawing.windows.go_to(b, t, canvas, kind, row);
         more = drawing.windows.next(b, t, canvas, kind, *next);
     }
+    canvas.counters->samples += samples, ++canvas.counters->by_blocks;
+}
+
+/// One window. Returns as mend() does.
+template <bool kCertain>
+HWY_INLINE bool put_window(const Batch& b, int t, const PerspectiveBlocks::Found& found, const PerspectiveBlocks& kind,
+                           Again& again, bool only_double, const Canvas& canvas) {
+    const uint32_t near = ~(found.far | found.beyond);
+    bool sure = found.far == 0 || kind.put_far<kCertain>(found, found.far, canvas);
+    sure = put_near<kCertain>(found, near, kind, canvas) && sure;
+    const int rows = found.row + kRows - b.row0.at[t];
+    if (!sure && kCertain && !blocks_again(found, kind, again, only_double, rows, canvas)) return false;
+    return found.beyond == 0 || kind.put_in_double(b, t, found, found.beyond, again, only_double, canvas);
+}
+
+template <bool kCertain>
+HWY_NOINLINE void draw_blocks(const Batch& b, int t, const Canvas& canvas, BlockDrawing<PerspectiveBlocks>& drawing,
+                              PastTies& past_ties) {
+    Again again(canvas, b, t, true);
+    uint64_t samples = 0;
+    PerspectiveBlocks::Found other;
+    PerspectiveBlocks& kind = drawing.kind;
+    past_ties.begin();
+    auto *now = &drawing.first, *next = &other;
+    for (bool more = drawing.more; more; std::swap(now, next)) {
+        if (is_beyond(*now)) {
+            forget_strips(b, t, now->row, canvas);
+            draw_perspective<false, Addressing::powers, false, kCertain>(Pixel{}, b, t, canvas, now->row);
+            break;
+        }
+        more = drawing.windows.next(b, t, canvas, kind, *next);
+        const bool known = past_ties.known(), finely = kCertain && known && !kind.sure();
+        if (finely || !put_window<kCertain>(b, t, *now, kind, again, !known, canvas))
+            past_ties.put(b, t, *now, kind, again, canvas);
+        samples += now->samples;
+    }
+    if (past_ties.known()) past_ties.finish(b, t, kind, again, canvas);
     canvas.counters->samples += samples, ++canvas.counters->by_blocks;
 }
 
@@ -179,7 +211,8 @@ public:
     [[nodiscard]] HWY_INLINE bool has(int t) const { return ((affine_ | perspective_) >> t & 1) != 0; }
     template <bool kCertain>
     HWY_INLINE void draw(const Batch& b, int t, const Canvas& canvas) {
-        if ((perspective_ >> t & 1) != 0) return draw_blocks<kCertain>(b, t, canvas, perspective_drawings_.at(t));
+        if ((perspective_ >> t & 1) != 0)
+            return draw_blocks<kCertain>(b, t, canvas, perspective_drawings_.at(t), past_ties_);
         if (canvas.job->perspective) ++canvas.counters->of(RasterSkip::equal_w);
         draw_blocks<kCertain>(b, t, canvas, affine_drawings_.at(t));
     }
@@ -188,6 +221,7 @@ private:
     uint32_t affine_ = 0, perspective_ = 0;
     BlockDrawings<AffineBlocks> affine_drawings_;
     BlockDrawings<PerspectiveBlocks> perspective_drawings_;
+    PastTies past_ties_;
 };
 
 #endif

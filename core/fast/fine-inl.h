@@ -92,9 +92,8 @@ HWY_INLINE CertainPair fine_certain_of(const Batch& b, int t, Again& again, cons
                       2 * again.v_unsure() + cut(canvas.texture.height), again.half_gaps());
 }
 
-/// u and v along a row in double, some pixels at once. They are moved by their bias and rounded down, except that whole
-/// numbers may lose a unit. That is as right: what the move puts on a border lies below it, since the bias is more than
-/// the error.
+/// u and v in double, some pixels at once. They are moved by their bias and rounded down, except that whole numbers may
+/// lose a unit. That is as right: what the move puts on a border lies below it, since the bias is more than the error.
 template <bool kPerspective, class Tag>
 class FineRow {
 #if HWY_TARGET == HWY_SCALAR
@@ -105,11 +104,15 @@ class FineRow {
     using Double = hn::Vec<Half>;
 
 public:
-    /// @param x  the first pixel
-    HWY_INLINE FineRow(const Batch& b, int t, int x, int y, const CertainPair& certain) {
+    /// Pixels side by side.
+    /// @param x  the first
+    HWY_INLINE FineRow(const Batch& b, int t, int x, int y, const CertainPair& certain)
+        : FineRow(b, t, hn::MulAdd(hn::Iota(Half{}, 0), hn::Set(Half{}, 2.0), hn::Set(Half{}, x - b.column0.at[t])),
+                  hn::Set(Half{}, y - b.row0.at[t]), certain) {}
+    /// Any in pairs side by side.
+    /// @param right, down  every other one's place from the box' first
+    HWY_INLINE FineRow(const Batch& b, int t, Double right, Double down, const CertainPair& certain) : right_(right) {
         const Half d;
-        right_ = hn::MulAdd(hn::Iota(d, 0), hn::Set(d, 2.0), hn::Set(d, x - b.column0.at[t]));
-        const Double down = hn::Set(d, y - b.row0.at[t]);
         const auto along = [&](const PlaneEight& p, Double& at, Double& step) HWY_ATTR {
             at = plane_at(Half{}, p, t, hn::Zero(Half{}), down), step = hn::Set(Half{}, p.x.at[t]);
         };
@@ -139,6 +142,9 @@ public:
 #endif
         right_ = hn::Add(right_, hn::Set(d, static_cast<double>(hn::MaxLanes(Tag{}))));
     }
+
+    /// Of the places that were given alone, in double's lowest bits [units].
+    HWY_INLINE void given(Double& u, Double& v) const { at(right_, u, v); }
 
 private:
     HWY_INLINE void at(Double right, Double& u, Double& v) const {

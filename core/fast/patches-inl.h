@@ -78,7 +78,7 @@ HWY_INLINE __mmask16 store_block(Samples texels, const uint16_t& inside, uint32_
 }
 
 /// The samples inside whose u or v has none of the bits set that make its texel certain.
-HWY_INLINE __mmask16 doubtful(__mmask16 inside, Samples u, Samples u_tested, Samples v, Samples v_tested) {
+HWY_INLINE __mmask16 in_doubt(__mmask16 inside, Samples u, Samples u_tested, Samples v, Samples v_tested) {
     return _kor_mask16(_mm512_mask_testn_epi32_mask(inside, u.raw, u_tested.raw),
                        _mm512_mask_testn_epi32_mask(inside, v.raw, v_tested.raw));
 }

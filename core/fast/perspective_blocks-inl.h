@@ -46,7 +46,6 @@ class PerspectiveBlocks {
     static constexpr uint32_t kAlways = 1U << 30;
 
 public:
-    static constexpr bool kPerspective = true;
     using Eights = PerspectiveEight;
     /// What the blocks of a window show.
     struct Found : Window {
@@ -101,9 +100,10 @@ public:
         if (both) find_half(canvas, moved(right_, kHalfWidth), some >> kHalf, kHalf, found);
         right_ = moved(right_, kWindowWidth);
     }
-    /// Draws the blocks whose bits are set and whose texels fit a patch. False: some of their texels are unsure.
+    /// Draws the blocks whose bits are set and whose texels fit a patch. False: some of their texels are unsure; where
+    /// `doubtful` is given, it is told which samples are, a number for each block.
     template <bool kWholeBlock, bool kCertain>
-    HWY_INLINE bool put(const Found& found, uint32_t which, const Canvas& canvas) const {
+    HWY_INLINE bool put(const Found& found, uint32_t which, const Canvas& canvas, uint16_t* doubtful = nullptr) const {
         const Block p;
         const uint32_t* const texels = canvas.texture.texels;
         const std::ptrdiff_t pitch = canvas.target.pitch, texture_pitch = canvas.texture.pitch;
@@ -121,13 +121,14 @@ public:
             const __mmask16 lower = _mm512_test_epi32_mask(v.raw, _mm512_set1_epi32(4 << kPartBits));
             const auto texel = look_up_patch(texels + found.texel[n], texture_pitch, Samples{place}, lower);
             const __mmask16 inside = store_block<kWholeBlock>(texel, found.inside[n], line + found.out[n], pitch);
-            if constexpr (kCertain) unsure = _kor_mask16(unsure, doubtful(inside, u, u_tested, v, v_tested));
+            if constexpr (kCertain) note(in_doubt(inside, u, u_tested, v, v_tested), n, unsure, doubtful);
         }
         return unsure == 0;
     }
     /// The same for blocks whose texels lie farther apart.
     template <bool kCertain>
-    HWY_INLINE bool put_far(const Found& found, uint32_t which, const Canvas& canvas) const {
+    HWY_INLINE bool put_far(const Found& found, uint32_t which, const Canvas& canvas,
+                            uint16_t* doubtful = nullptr) const {
         const Block p;
         const std::ptrdiff_t pitch = canvas.target.pitch;
         uint32_t* const line = canvas.target.pixels + found.row * pitch;
@@ -145,46 +146,55 @@ public:
             const auto texel =
                 look_up(p, canvas.texture.texels + found.texel[n], hn::Add(hn::Mul(line_of, texture_pitch), column));
             const __mmask16 inside = store_block<false>(texel, found.inside[n], line + found.out[n], pitch);
-            if constexpr (kCertain) unsure = _kor_mask16(unsure, doubtful(inside, u, u_tested, v, v_tested));
+            if constexpr (kCertain) note(in_doubt(inside, u, u_tested, v, v_tested), n, unsure, doubtful);
         }
         return unsure == 0;
     }
     /// The same in double, for blocks that float32 cannot tell; mends unsure texels, and returns as mend() does.
-    HWY_NOINLINE bool put_beyond(const Batch& b, int t, const Found& found, uint32_t which, Again& again,
-                                 bool only_double, const Canvas& canvas) const {
-        using Row = hn::CappedTag<uint32_t, kBlock>;
-        const Row p;
-        const CertainPair certain =
-            certain_of(canvas, b, t, 2 * b.u_far.at[t] + kFineCut, 2 * b.v_far.at[t] + kFineCut, gaps_);
-        const Texels<Row, Addressing::powers> texels(canvas, b, t, certain);
-        const auto pitch = static_cast<uint32_t>(canvas.target.pitch);
+    HWY_NOINLINE bool put_in_double(const Batch& b, int t, const Found& found, uint32_t which, Again& again,
+                                    bool only_double, const Canvas& canvas) const {
+        const Block p;
+        const Real d;
+        alignas(64) static constexpr double kRight[] = {0, 2, 0, 2, 0, 2, 0, 2}, kDown[] = {0, 0, 1, 1, 2, 2, 3, 3};
+        const CertainPair certain = certain_in_double(b, t, canvas);
+        const Texels<Block, Addressing::powers> texels(canvas, b, t, certain);
+        const bool sure = certain.sure();
+        const std::ptrdiff_t pitch = canvas.target.pitch;
+        uint32_t* const line = canvas.target.pixels + found.row * pitch;
         for (; which != 0; which &= which - 1) {
-            const int n = std::countr_zero(which);
-            const int x = static_cast<int>(found.out[n] % pitch),
-                      row = found.row + static_cast<int>(found.out[n] / pitch);
-            uint32_t inside = found.inside[n];
-            for (int y = row; inside != 0; inside >>= kBlock, ++y) {
-                const uint8_t bits = inside & ((1U << kBlock) - 1);
-                if (bits == 0) continue;
-                auto u = hn::Zero(p), v = u;
-                FineRow<true, Row>(b, t, x, y, certain).next(u, v);
-                const auto in = hn::LoadMaskBits(p, &bits);
-                hn::BlendedStore(texels.fetch(u, v), in, p,
-                                 canvas.target.pixels + std::ptrdiff_t{y} * canvas.target.pitch + x);
-                if (const auto unsure = hn::And(in, texels.unsure(u, v)); !hn::AllFalse(p, unsure))
-                    if (!mend(p, again, x, y, unsure, only_double, canvas)) return false;
+            const int n = std::countr_zero(which), down = n % kHalf / kBlock * kBlock;
+            const auto x = static_cast<int>(found.out[n] - down * pitch);
+            const V at_x = hn::Set(d, x - b.column0.at[t]), at_y = hn::Set(d, found.row + down - b.row0.at[t]);
+            Samples u = hn::Zero(p), v = u;
+            FineRow<true, Block>(b, t, hn::Add(at_x, hn::Load(d, kRight)), hn::Add(at_y, hn::Load(d, kDown)), certain)
+                .next(u, v);
+            const __mmask16 inside =
+                store_block<false>(texels.fetch(u, v), found.inside[n], line + found.out[n], pitch);
+            if (sure) continue;
+            for (uint32_t m = inside & bits_of(p, texels.unsure(u, v)); m != 0; m &= m - 1) {
+                const int sample = std::countr_zero(m);
+                if (!mend_pixel(again, x + sample % kBlock, found.row + down + sample / kBlock, only_double, canvas))
+                    return false;
             }
         }
         return true;
+    }
+    /// What makes texels certain in double.
+    [[nodiscard]] HWY_INLINE CertainPair certain_in_double(const Batch& b, int t, const Canvas& canvas) const {
+        return certain_of(canvas, b, t, 2 * b.u_far.at[t] + kFineCut, 2 * b.v_far.at[t] + kFineCut, gaps_);
     }
     /// Bit n: sample n of a block is in doubt.
     [[nodiscard]] HWY_INLINE uint32_t unsure(const Found& found, int n) const {
         Samples u, v;
         at(found, n, one_lanes_, u_lanes_, v_lanes_, u, v);
-        return uint32_t{doubtful(0xFFFF, u, hn::Set(Block{}, u_tested_), v, hn::Set(Block{}, v_tested_))};
+        return uint32_t{in_doubt(0xFFFF, u, hn::Set(Block{}, u_tested_), v, hn::Set(Block{}, v_tested_))};
     }
 
 private:
+    static HWY_INLINE void note(__mmask16 in_block, int n, __mmask16& unsure, uint16_t* doubtful) {
+        unsure = _kor_mask16(unsure, in_block);
+        if (doubtful != nullptr) _store_mask16(reinterpret_cast<__mmask16*>(doubtful + n), in_block);
+    }
     /// What a plane adds at each sample of a block.
     [[nodiscard]] HWY_INLINE SampleFloats lanes_of(const StepsEight& steps) const {
         const BlockFloat f;

@@ -220,9 +220,9 @@ public:
     [[nodiscard]] double v_unsure() const { return perspective_ ? b_.v_far.at[t_] : b_.v.unsure.at[t_]; }
     /// Some samples were behind what stands there, and no texel was looked up for them.
     void note_spared() { spared_ = true; }
-    /// Whether so many texels of the first `rows` rows were asked for that to draw finely costs less: chance alone asks
-    /// for one in some ten thousand.
-    [[nodiscard]] bool often(int rows) const { return asked_ > 1 && asked_ * 4 > rows; }
+    /// Whether so many texels of the first `rows` rows were asked for, with `more` to come, that to draw finely costs
+    /// less: chance alone asks for one in some ten thousand.
+    [[nodiscard]] bool often(int rows, int more = 0) const { return asked_ + more > 1 && (asked_ + more) * 4 > rows; }
     [[nodiscard]] const HalfGaps& half_gaps() {
         if (half_gaps_) return *half_gaps_;
         const WideTriangle::Gaps gaps = decider_.gaps();
