@@ -5,6 +5,7 @@ median of the rounds' ratios. `unlike`: pixels of a peer's last picture that are
 exact. It measures and judges nothing. Build first: cmake --build --preset release. Allegro 4 is a peer where
 liballegro4-dev was installed before."""
 import argparse
+import concurrent.futures
 import os
 import pathlib
 import shutil
@@ -68,6 +69,23 @@ class Racer:
         return [work / self.ms(stem) for work in self.rates[stem]]
 
 
+class Both(Racer):
+    """Two programs at once, and what the slower one said: how much of two cores the machine gives."""
+
+    def __init__(self, racer):
+        super().__init__(racer.command)
+        self.other = Racer(racer.command)
+
+    def run(self, number):
+        with concurrent.futures.ThreadPoolExecutor() as pool:
+            pool.submit(self.other.run, number)
+            super().run(number)
+        self.fault = self.fault or self.other.fault
+        for stem, medians in self.other.medians.items():
+            if number in self.medians.get(stem, {}):
+                self.medians[stem][number] = max(self.medians[stem][number], medians[number])
+
+
 def race(racers, rounds):
     for number in range(rounds):
         for racer in racers if number % 2 == 0 else racers[::-1]:
@@ -120,6 +138,9 @@ class Bench:
     def fast(self, files, more=()):
         return Racer([self.program, "bench", *files, "--reps", self.reps, *more])
 
+    def llvmpipe(self, path):
+        return Racer([self.peers / "texelscope_peer_llvmpipe", path, self.reps])
+
     def unlike(self, fast, peer):
         """The share of pixels that the peer's picture has otherwise [%]."""
         pictures = [str(self.folder / f"{who}.png") for who in ("fast", "peer")]
@@ -138,7 +159,7 @@ class Bench:
         rows, notes, all_racers = [], [], []
         for name in self.options.only:
             path = self.workload(name)
-            fast, llvmpipe = self.fast([path]), Racer([self.peers / "texelscope_peer_llvmpipe", path, self.reps])
+            fast, llvmpipe = self.fast([path]), self.llvmpipe(path)
             allegro = Racer([self.peers / "texelscope_peer_allegro", path, self.reps])
             racers = [fast, llvmpipe, allegro]
             if name == "big":
@@ -167,18 +188,31 @@ class Bench:
         faults(all_racers)
 
     def variants(self, title, among):
-        """Rates as shares of the first variant's."""
+        """Rates as shares of the first variant's; of targets the last against llvmpipe, too, of threads what two programs
+        side by side get of the machine's cores."""
         rows, all_racers = [], []
         for name in self.options.only:
             path = self.workload(name)
             racers = [self.fast([path], more) for more in among.values()]
+            beside = []
+            if title == "targets":
+                beside = [self.llvmpipe(path)]
+            elif title == "threads":
+                beside = [Both(self.fast([path], among["one"]))]
             print(f"{title}, {name} ", end="", file=sys.stderr)
-            race(racers, self.options.rounds)
-            all_racers += racers
-            rows.append([name, text(racers[0].ms(name), "{:.3f}")] +
-                        [text(ratio(racers[0], other, name)[0], "x {:.2f}") for other in racers[1:]])
+            race(racers + beside, self.options.rounds)
+            all_racers += racers + beside
+            rows.append([name, text(racers[0].ms(name), "{:.3f}")])
+            for other in racers[1:]:
+                rows[-1] += [text(value, "x {:.2f}") for value in ratio(racers[0], other, name)]
+            for other in beside:
+                times, by_least = ratio(other, racers[-1] if title == "targets" else racers[0], name)
+                rows[-1] += [text(value, "x {:.2f}") for value in
+                             ((times, by_least) if title == "targets" else (times and 2 / times, by_least and 2 / by_least))]
         first, *others = among
-        table(["workload", f"{first}, ms"] + [f"rate with {other}" for other in others], rows)
+        heads = [f"rate with {other}" for other in others]
+        heads += {"targets": ["sse4 against llvmpipe"], "threads": ["two programs at once"]}.get(title, [])
+        table(["workload", f"{first}, ms"] + [word for head in heads for word in (head, "of least times")], rows)
         faults(all_racers)
 
     def pairs(self, title, head, files):
