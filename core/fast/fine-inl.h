@@ -83,13 +83,14 @@ constexpr double kFineCut = 0x1p-20;  ///< [units]
 /// what moving the value loses: three roundings of numbers that are larger by the bias and half a unit, below 2^32
 /// units. kFineCut is more than that, twice the bound than the rest. Where a texel is no whole number of units, what
 /// lies below a unit counts, too: it is cut off.
-HWY_INLINE CertainPair fine_certain_of(const Batch& b, int t, Again& again, const Canvas& canvas) {
+HWY_INLINE CertainPair fine_certain_of(const Batch& b, int t, const Again& again, const HalfGaps& gaps,
+                                       const Canvas& canvas) {
     const auto cut = [&](int size) {
         return kFineCut +
                (canvas.addressing == Addressing::any_size && !std::has_single_bit(static_cast<unsigned>(size)) ? 1 : 0);
     };
     return certain_of(canvas, b, t, 2 * again.u_unsure() + cut(canvas.texture.width),
-                      2 * again.v_unsure() + cut(canvas.texture.height), again.half_gaps());
+                      2 * again.v_unsure() + cut(canvas.texture.height), gaps);
 }
 
 /// u and v in double, some pixels at once. They are moved by their bias and rounded down, except that whole numbers may
@@ -172,7 +173,7 @@ private:
 /// The rows of a triangle from `row` on; counts their samples. False: nothing is drawn, double is too much in doubt.
 template <bool kPerspective, Addressing kAddressing, bool kDepth>
 HWY_NOINLINE bool draw_finely(const Batch& b, int t, int row, Again& again, const Canvas& canvas, uint64_t& samples) {
-    const CertainPair certain = fine_certain_of(b, t, again, canvas);
+    const CertainPair certain = fine_certain_of(b, t, again, again.half_gaps(), canvas);
     if (!certain.fits()) return false;
     const Pixel p;
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));

@@ -1,6 +1,6 @@
 // Rows in perspective where a texture is no larger than 2^15: u and v are counted in 2^-16 of a texel, so that the
-// whole texels are the upper halves of 32 bits. One product finds where texels stand, one minimum sees what follows
-// both. AVX2 alone needs it: where AVX-512 draws rows, something else takes the time.
+// whole texels are the upper halves of 32 bits. One product finds where texels stand, and what follows them needs no
+// shift to be seen. AVX2 alone needs it: where AVX-512 draws rows, something else takes the time.
 #if defined(TEXELSCOPE_HALVES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TEXELSCOPE_HALVES_INL
 #undef TEXELSCOPE_HALVES_INL

@@ -79,8 +79,8 @@ private:
     static constexpr int kMost = 512;
 
     int count_;
-    /// Column in the lower half, row in the upper one. With room for a window more, and for a vector that is stored
-    /// whole.
+    /// Column in the lower half, row in the upper one: a target has at most 2^14. With room for a window more, and for
+    /// a vector that is stored whole.
     alignas(64) uint32_t places_[kMost + (kBlocks + 1) * kBlock * kBlock];
 };
 
@@ -111,7 +111,7 @@ public:
     }
     /// Draws what was put off.
     HWY_NOINLINE void finish(const Batch& b, int t, const PerspectiveBlocks& kind, Again& again, const Canvas& canvas) {
-        samples_.put(b, t, kind.certain_in_double(b, t, canvas), again, canvas);
+        samples_.put(b, t, kind.certain_in_double(b, t, again, canvas), again, canvas);
     }
 
 private:

@@ -156,7 +156,7 @@ public:
         const Block p;
         const Real d;
         alignas(64) static constexpr double kRight[] = {0, 2, 0, 2, 0, 2, 0, 2}, kDown[] = {0, 0, 1, 1, 2, 2, 3, 3};
-        const CertainPair certain = certain_in_double(b, t, canvas);
+        const CertainPair certain = certain_in_double(b, t, again, canvas);
         const Texels<Block, Addressing::powers> texels(canvas, b, t, certain);
         const bool sure = certain.sure();
         const std::ptrdiff_t pitch = canvas.target.pitch;
@@ -180,8 +180,9 @@ public:
         return true;
     }
     /// What makes texels certain in double.
-    [[nodiscard]] HWY_INLINE CertainPair certain_in_double(const Batch& b, int t, const Canvas& canvas) const {
-        return certain_of(canvas, b, t, 2 * b.u_far.at[t] + kFineCut, 2 * b.v_far.at[t] + kFineCut, gaps_);
+    [[nodiscard]] HWY_INLINE CertainPair certain_in_double(const Batch& b, int t, const Again& again,
+                                                           const Canvas& canvas) const {
+        return fine_certain_of(b, t, again, gaps_, canvas);
     }
     /// Bit n: sample n of a block is in doubt.
     [[nodiscard]] HWY_INLINE uint32_t unsure(const Found& found, int n) const {

@@ -190,28 +190,25 @@ class Bench:
     def variants(self, title, among):
         """Rates as shares of the first variant's; of targets the last against llvmpipe, too, of threads what two programs
         side by side get of the machine's cores."""
+        first, *others = among
+        heads = [f"rate with {other}" for other in others]
+        heads += {"targets": ["sse4 against llvmpipe"], "threads": ["two programs at once"]}.get(title, [])
         rows, all_racers = [], []
         for name in self.options.only:
             path = self.workload(name)
             racers = [self.fast([path], more) for more in among.values()]
-            beside = []
+            raced = [(racers[0], other, 1) for other in racers[1:]]
             if title == "targets":
-                beside = [self.llvmpipe(path)]
+                raced.append((self.llvmpipe(path), racers[-1], 1))
             elif title == "threads":
-                beside = [Both(self.fast([path], among["one"]))]
+                raced.append((racers[0], Both(racers[0]), 2))
+            racers += [racer for pair in raced for racer in pair[:2] if racer not in racers]
             print(f"{title}, {name} ", end="", file=sys.stderr)
-            race(racers + beside, self.options.rounds)
-            all_racers += racers + beside
-            rows.append([name, text(racers[0].ms(name), "{:.3f}")])
-            for other in racers[1:]:
-                rows[-1] += [text(value, "x {:.2f}") for value in ratio(racers[0], other, name)]
-            for other in beside:
-                times, by_least = ratio(other, racers[-1] if title == "targets" else racers[0], name)
-                rows[-1] += [text(value, "x {:.2f}") for value in
-                             ((times, by_least) if title == "targets" else (times and 2 / times, by_least and 2 / by_least))]
-        first, *others = among
-        heads = [f"rate with {other}" for other in others]
-        heads += {"targets": ["sse4 against llvmpipe"], "threads": ["two programs at once"]}.get(title, [])
+            race(racers, self.options.rounds)
+            all_racers += racers
+            rows.append([name, text(racers[0].ms(name), "{:.3f}")] +
+                        [text(value and value * programs, "x {:.2f}") for slow, fast, programs in raced
+                         for value in ratio(slow, fast, name)])
         table(["workload", f"{first}, ms"] + [word for head in heads for word in (head, "of least times")], rows)
         faults(all_racers)
 
