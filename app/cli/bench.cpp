@@ -30,6 +30,7 @@ namespace {
 constexpr int kLeastReps = 5, kMostReps = 1'000'000;
 constexpr double kEnough = 0.5;     ///< of drawing each file, where nobody says how often [s]
 constexpr double kSilence = 2;      ///< between two messages on stderr [s]
+constexpr double kWarm = 0.05;      ///< so long each file is drawn first: until then threads may share a core [s]
 constexpr std::uint64_t kSeed = 1;  ///< of workloads that are drawn by name
 
 struct Options {
@@ -90,6 +91,13 @@ Result<Lane> lane_of(const std::string& target, const Options& options) {
     return lane;
 }
 
+/// What is done once is not measured.
+void warm_up(Lane& lane) {
+    const double start = seconds();
+    do lane.racer->clear(), lane.racer->draw();
+    while (seconds() - start < kWarm);
+}
+
 /// The lanes take turns, so that what disturbs the machine for a while disturbs all of them.
 void race(std::vector<Lane>& lanes, int reps) {
     double drawing = 0, spoken = seconds();
@@ -130,7 +138,7 @@ int run(const Options& options) {
         if (!lane) return fail(lane.error());
         lanes.push_back(*std::move(lane));
     }
-    for (Lane& lane : lanes) lane.racer->clear(), lane.racer->draw();  // what is done once is not measured
+    for (Lane& lane : lanes) warm_up(lane);
     race(lanes, options.reps);
     auto lines = Output::open("");
     if (!lines) return fail(lines.error());

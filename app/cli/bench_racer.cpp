@@ -26,7 +26,13 @@ public:
           settings_(settings),
           pitch_(file_.width + kPadding),
           pixels_(static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(file_.height)),
-          depth_(file_.depth ? pixels_.size() : 0) {}
+          depth_(file_.depth ? pixels_.size() : 0),
+          samples_(file_.covered) {
+        if (samples_ > 0) return;
+        settings_.skips &= ~(1U << static_cast<unsigned>(RasterSkip::overdrawn));
+        clear(), draw();
+        samples_ = counters_.samples, settings_ = settings;
+    }
 
     void clear() override {
         std::fill(pixels_.begin(), pixels_.end(), packed(Rgb{}));
@@ -49,7 +55,7 @@ public:
         texelscope::draw(target, texture, job, settings_, counters_);
     }
     [[nodiscard]] Image picture() const override { return unpacked(pixels_.data(), pitch_, file_.width, file_.height); }
-    [[nodiscard]] std::uint64_t samples() const override { return counters_.samples; }
+    [[nodiscard]] std::uint64_t samples() const override { return samples_; }
     [[nodiscard]] int threads() const override { return settings_.threads; }
     [[nodiscard]] std::string stats() const override {
         JsonLine line;
@@ -77,6 +83,7 @@ private:
     std::vector<std::uint32_t> pixels_;
     std::vector<float> depth_;
     RasterCounters counters_;
+    std::uint64_t samples_;  ///< inside triangles, whether drawn or not
 };
 
 class MethodRacer final : public BenchRacer {

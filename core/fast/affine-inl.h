@@ -91,16 +91,17 @@ HWY_NOINLINE void draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
     const auto lanes = hn::Iota(p, 0);
     const auto u_lanes = hn::Mul(u_x, lanes), v_lanes = hn::Mul(v_x, lanes);
     const auto u_step = hn::Mul(u_x, hn::Set(p, kLanes)), v_step = hn::Mul(v_x, hn::Set(p, kLanes));
-    const Columns columns{b.column0.at[t], b.column1.at[t]};
     const std::ptrdiff_t pitch = canvas.target.pitch;
     const bool level =
         kWide && b.u.step.at[t] == 0 && b.v.step.at[t] == 0 && canvas.settings->skip(RasterSkip::zero_gradient);
     if (level) ++canvas.counters->of(RasterSkip::zero_gradient);
     uint64_t samples = 0;
-    for (int row = b.row0.at[t], count = 0; row < b.row1.at[t]; row += count) {
+    Pieces pieces(b, t, canvas);
+    for (Piece piece; pieces.next(b, t, piece);) {
         Rows rows;
-        count = std::min(kRows, b.row1.at[t] - row);
-        cross(b, t, row, count, columns, canvas, rows);
+        const int row = piece.row;
+        int count = piece.count;
+        if (!cross(b, t, row, count, {piece.x0, piece.x1}, canvas, rows)) continue;
         start(b, t, row, count, texels.u.bias, texels.v.bias, rows);
         Least<Tag, kAddressing> least;
         uint32_t unsure = 0;
@@ -153,7 +154,8 @@ HWY_NOINLINE void draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
         } else if (kDepth || unsure != 0) {
             finely = again.often(row + count - b.row0.at[t]);
         }
-        if (finely && draw_finely<false, kAddressing, kDepth>(b, t, row + count, again, canvas, samples)) break;
+        pieces.give_back(piece, count);
+        if (finely && draw_finely<false, kAddressing, kDepth>(b, t, pieces, again, canvas, samples)) break;
     }
     canvas.counters->samples += samples;
 }

@@ -76,12 +76,15 @@ template <class Found>
     return std::popcount(found.beyond) * 2 > std::popcount(found.parts | found.wholes);
 }
 
-/// The rows of strips from `row` on are drawn once more.
-HWY_NOINLINE void forget_strips(const Batch& b, int t, int row, const Canvas& canvas) {
+/// The window's piece is drawn once more.
+HWY_NOINLINE void forget_piece(const Batch& b, int t, const Window& window, const Canvas& canvas) {
     if (canvas.settings->watch == nullptr) return;
+    Pieces pieces(b, t, canvas, window.row);
+    Piece piece;
     Rows rows;
-    cross_strips(b, t, canvas, row, rows);
-    forget(canvas, row, std::min(kRows, b.row1.at[t] - row), rows);
+    pieces.next(b, t, piece);
+    cross(b, t, piece.row, piece.count, {piece.x0, piece.x1}, canvas, rows);
+    forget(canvas, piece.row, piece.count, rows);
 }
 
 /// False: some texels are unsure.
@@ -101,19 +104,19 @@ HWY_NOINLINE void draw_blocks(const Batch& b, int t, const Canvas& canvas, Block
     AffineBlocks& kind = drawing.kind;
     auto *now = &drawing.first, *next = &other;
     for (bool more = drawing.more; more; std::swap(now, next)) {
-        const int row = now->row;
         more = drawing.windows.next(b, t, canvas, kind, *next);
         if (put_near<kCertain>(*now, ~0U, kind, canvas) || !kCertain ||
-            blocks_again(*now, kind, again, !ties_known, row + kRows - b.row0.at[t], canvas)) {
+            blocks_again(*now, kind, again, !ties_known, now->row + kRows - b.row0.at[t], canvas)) {
             samples += now->samples;
             continue;
         }
-        // As in draw_rows: these strips once more, past all ties.
+        // As in draw_rows: this piece once more, past all ties.
         kind.use(b, t, canvas, again.half_gaps());
         ties_known = true;
-        forget_strips(b, t, row, canvas);
-        if (!kind.sure() && draw_finely<false, Addressing::powers, false>(b, t, row, again, canvas, samples)) break;
-        drawing.windows.go_to(b, t, canvas, kind, row);
+        forget_piece(b, t, *now, canvas);
+        drawing.windows.go_to(b, t, *now);
+        Pieces& pieces = drawing.windows.pieces();
+        if (!kind.sure() && draw_finely<false, Addressing::powers, false>(b, t, pieces, again, canvas, samples)) break;
         more = drawing.windows.next(b, t, canvas, kind, *next);
     }
     canvas.counters->samples += samples, ++canvas.counters->by_blocks;
@@ -142,8 +145,10 @@ HWY_NOINLINE void draw_blocks(const Batch& b, int t, const Canvas& canvas, Block
     auto *now = &drawing.first, *next = &other;
     for (bool more = drawing.more; more; std::swap(now, next)) {
         if (is_beyond(*now)) {
-            forget_strips(b, t, now->row, canvas);
-            draw_perspective<false, Addressing::powers, false, kCertain>(Pixel{}, b, t, canvas, now->row);
+            forget_piece(b, t, *now, canvas);
+            drawing.windows.go_to(b, t, *now);
+            draw_perspective<false, Addressing::powers, false, kCertain>(Pixel{}, b, t, canvas,
+                                                                         drawing.windows.pieces());
             break;
         }
         more = drawing.windows.next(b, t, canvas, kind, *next);
@@ -171,8 +176,9 @@ public:
         all_.set_up(b, canvas);
         each([&](int t) HWY_ATTR { at_[t].kind.set_up(t, canvas, all_); });
         Rows rows[kBatch];
-        each([&](int t) HWY_ATTR { cross_strips(b, t, canvas, b.row0.at[t], rows[t]); });
-        each([&](int t) HWY_ATTR { at_[t].windows.go_to(b, t, canvas, at_[t].kind, b.row0.at[t], rows[t]); });
+        each([&](int t) HWY_ATTR { at_[t].windows.begin(b, t, canvas); });
+        each([&](int t) HWY_ATTR { at_[t].windows.cross_piece(b, t, canvas, rows[t]); });
+        each([&](int t) HWY_ATTR { at_[t].windows.start(b, t, canvas, at_[t].kind, rows[t]); });
         each([&](int t) HWY_ATTR {
             BlockDrawing<Kind>& d = at_[t];
             d.more = d.windows.next(b, t, canvas, d.kind, d.first);

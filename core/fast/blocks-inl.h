@@ -12,6 +12,7 @@
 
 #include "core/fast/fine-inl.h"
 #include "core/fast/patches-inl.h"
+#include "core/fast/pieces-inl.h"
 
 #if HWY_TARGET <= HWY_AVX3
 
@@ -65,30 +66,28 @@ struct Window {
     alignas(64) uint32_t out[kBlocks];     ///< the first pixel, from the first of `row`
     alignas(64) uint16_t inside[kBlocks];  ///< bit n: sample n is
     uint32_t parts, wholes;                ///< bit n: block n has some samples inside; is drawn as a whole
-    int row;
-    uint32_t samples;  ///< of the strips if these are their last blocks, else 0
+    int row, column;                       ///< where its piece begins
+    uint32_t samples;                      ///< of the piece if these are its last blocks, else 0
 };
-
-/// The rows of the strips from `row` on.
-HWY_INLINE void cross_strips(const Batch& b, int t, const Canvas& canvas, int row, Rows& rows) {
-    const int count = std::min(kRows, b.row1.at[t] - row);
-    cross(b, t, row, count, {b.column0.at[t], b.column1.at[t]}, canvas, rows);
-}
 
 /// All blocks of a triangle, one window after another. What they show is for the Kind to find.
 template <class Kind>
 class BlockWindows {
 public:
-    /// Goes to the strips from `row` on.
-    HWY_INLINE void go_to(const Batch& b, int t, const Canvas& canvas, Kind& kind, int row) {
-        Rows rows;
-        cross_strips(b, t, canvas, row, rows);
-        go_to(b, t, canvas, kind, row, rows);
+    /// Goes to the first piece; where there is none, to no rows.
+    HWY_INLINE void begin(const Batch& b, int t, const Canvas& canvas) {
+        pieces_.begin(b, t, canvas, b.row0.at[t]);
+        if (!pieces_.next(b, t, piece_)) piece_ = {b.row0.at[t], 0, 0, 0};
     }
-    HWY_INLINE void go_to(const Batch& b, int t, const Canvas& canvas, Kind& kind, int row, const Rows& rows) {
+    /// Where the piece's rows begin and end. Returns as cross() does.
+    HWY_INLINE bool cross_piece(const Batch& b, int t, const Canvas& canvas, Rows& rows) const {
+        return cross(b, t, piece_.row, piece_.count, {piece_.x0, piece_.x1}, canvas, rows);
+    }
+    /// Goes to the blocks of these rows.
+    HWY_INLINE void start(const Batch& b, int t, const Canvas& canvas, Kind& kind, const Rows& rows) {
         const Block p;
         const BlockInt s;
-        const int count = std::min(kRows, b.row1.at[t] - row);
+        const int row = piece_.row, count = piece_.count;
         const auto x0 = load(rows.x0), x1 = load(rows.x1);
         const auto there = hn::And(hn::Lt(x0, x1), hn::FirstN(s, static_cast<size_t>(count)));
         auto left = hn::IfThenElse(there, x0, hn::Set(s, INT32_MAX));
@@ -104,15 +103,20 @@ public:
         const Doubles right = promote(hn::BitCast(p, hn::Sub(x, hn::Set(s, b.column0.at[t]))));
         const Doubles down = promote(hn::BitCast(p, hn::Add(strip, hn::Set(s, row - b.row0.at[t]))));
         kind.go_to(b, t, right, down);
-        row_ = row;
     }
+    /// The next window is the first of its piece once more.
+    HWY_INLINE void go_to(const Batch& b, int t, const Window& window) {
+        pieces_.go_to(b, t, window.row, window.column), columns_ = 0;
+    }
+    [[nodiscard]] HWY_INLINE Pieces& pieces() { return pieces_; }
 
     /// The next window; false: there are no more.
     HWY_INLINE bool next(const Batch& b, int t, const Canvas& canvas, Kind& kind, typename Kind::Found& window) {
-        if (columns_ <= 0) {
-            const int row = row_ + kRows;
-            if (row >= b.row1.at[t]) return false;
-            go_to(b, t, canvas, kind, row);
+        while (columns_ <= 0) {
+            if (!pieces_.next(b, t, piece_)) return false;
+            Rows rows;
+            if (!cross_piece(b, t, canvas, rows)) continue;
+            start(b, t, canvas, kind, rows);
         }
         const Block p;
         const BlockInt s;
@@ -126,7 +130,7 @@ public:
             hn::Store(hn::Add(out_, hn::Set(p, kHalfWidth)), p, window.out + kHalf);
         }
         window.wholes = b.widest.at[t] < kLeastWhole ? 0 : wholes, window.parts = some & ~window.wholes;
-        window.row = row_, window.samples = columns_ <= kWindowWidth ? samples_ : 0;
+        window.row = piece_.row, window.column = piece_.x0, window.samples = columns_ <= kWindowWidth ? samples_ : 0;
 
         kind.find(b, t, canvas, both, window);
         out_ = hn::Add(out_, hn::Set(p, kWindowWidth));
@@ -166,8 +170,10 @@ private:
         return bits_of(p, hn::Ne(inside, hn::Zero(p))) << first;
     }
 
-    int row_, columns_;       ///< the first of the strips; columns to come
-    uint32_t samples_;        ///< in the strips
+    Pieces pieces_;
+    Piece piece_;             ///< its strips
+    int columns_;             ///< of it to come
+    uint32_t samples_;        ///< in it
     RowNumbers first_, end_;  ///< columns of the window that are inside
     Samples out_;             ///< of the left half
 };

@@ -1,6 +1,7 @@
 // What all of the rasterizer's loops know: where to draw, from what, and how texels are found.
 #pragma once
 
+#include "core/fast/last_covers.h"
 #include "core/fast/raster.h"
 #include "core/fast/strips.h"
 #include "core/fast/tiles.h"
@@ -21,8 +22,10 @@ struct Canvas {
     const RasterJob* job;
     const RasterSettings* settings;
     RasterCounters* counters;
-    DepthTiles* tiles = nullptr;  ///< null without a depth test
-    const Band* band = nullptr;   ///< null: all triangles are looked at
+    DepthTiles* tiles = nullptr;         ///< null without a depth test
+    bool overdrawn = false;              ///< what later triangles cover is worth finding
+    const LastCovers* covers = nullptr;  ///< null: nobody knows
+    const Band* band = nullptr;          ///< null: all triangles are looked at
     Addressing addressing;
     int u_bits = 0, v_bits = 0;  ///< log2 of the size, where addressing is by powers
     double u_unit, v_unit;       ///< units in one unit of the vertices' u and v, but where clamped

@@ -37,6 +37,7 @@ HWY_INLINE V crossing(V x, const Columns& c, double bias) {
 }
 
 /// The rows whose crossings lie in doubt, again.
+template <int kStep>
 HWY_NOINLINE void cross_again(const Batch& b, int t, int row, int count, const Columns& columns, const Canvas& canvas,
                               Rows& rows) {
     const Vertex* const corner = canvas.corners(b.index.at[t]);
@@ -44,8 +45,8 @@ HWY_NOINLINE void cross_again(const Batch& b, int t, int row, int count, const C
     std::stable_sort(p.begin(), p.end(), [](const Vertex* a, const Vertex* c) { return a->y < c->y; });
     const RasterTarget& target = canvas.target;
     for (int n = 0; n < count; ++n) {
-        const bool top = row + n < b.row_mid.at[t];
-        const int y = row + n + target.y0;
+        const bool top = row + n * kStep < b.row_mid.at[t];
+        const int y = row + n * kStep + target.y0;
         const int far = first_pixel(*p[0], *p[2], y),
                   near = top ? first_pixel(*p[0], *p[1], y) : first_pixel(*p[1], *p[2], y);
         const auto inside = [&](int x) { return std::clamp(x - target.x0, columns.low, columns.high); };
@@ -63,15 +64,18 @@ HWY_INLINE void start(const CoordinateEight& u, int t, V right, V down, double b
                    to);
 }
 
-/// Rows [row, row + count).
-HWY_INLINE void cross(const Batch& b, int t, int row, int count, const Columns& columns, const Canvas& canvas,
+/// `count` rows from `row` on, every kStep-th. Returns whether any sample is inside.
+template <int kStep = 1>
+HWY_INLINE bool cross(const Batch& b, int t, int row, int count, const Columns& columns, const Canvas& canvas,
                       Rows& rows) {
     const Real d;
     const double doubt = canvas.settings->certain ? b.cross_doubt.at[t] : 0, bias = doubt == 0 ? 0x1p-31 : 0;
     const auto left = hn::Ne(hn::Set(d, b.long_left.at[t]), hn::Zero(d));
-    bool again = false;
+    bool again = false, some = false;
     for (int lane = 0; lane < count; lane += kReals) {
-        const V n = lanes_from(d, row + lane), y = hn::Add(n, hn::Set(d, .5));
+        const V lanes = lanes_from(d, kStep == 1 ? row + lane : lane);
+        const V n = kStep == 1 ? lanes : hn::MulAdd(lanes, hn::Set(d, kStep), hn::Set(d, row)),
+                y = hn::Add(n, hn::Set(d, .5));
         const V below = hn::Sub(y, hn::Set(d, b.long_y.at[t]));
         const V far = hn::MulAdd(below, hn::Set(d, b.long_slope.at[t]), hn::Set(d, b.long_x.at[t]));
         const V top = hn::MulAdd(below, hn::Set(d, b.top_slope.at[t]), hn::Set(d, b.long_x.at[t]));
@@ -84,13 +88,16 @@ HWY_INLINE void cross(const Batch& b, int t, int row, int count, const Columns& 
             const auto close = [&](V x) HWY_ATTR {
                 return hn::Lt(hn::Abs(hn::Sub(x, hn::Round(x))), hn::Set(Real{}, doubt));
             };
-            const auto there = hn::Lt(n, hn::Set(d, row + count));
+            const auto there = hn::Lt(n, hn::Set(d, row + count * kStep));
             again = again || !hn::AllFalse(d, hn::And(hn::Or(close(from), close(to)), there));
         }
-        const V first = hn::Ceil(from);
-        store_int(first, rows.x0.at + lane), store_int(hn::Ceil(to), rows.x1.at + lane);
+        const V first = hn::Ceil(from), end = hn::Ceil(to);
+        some = some || !hn::AllFalse(d, hn::Lt(first, end));
+        store_int(first, rows.x0.at + lane), store_int(end, rows.x1.at + lane);
     }
-    if (again) cross_again(b, t, row, count, columns, canvas, rows);
+    if (!again) return some;
+    cross_again<kStep>(b, t, row, count, columns, canvas, rows);
+    return true;
 }
 
 /// u and v where the rows begin, moved by their biases [units].

@@ -143,9 +143,9 @@ HWY_NOINLINE void draw_depth_tiles(const Batch& b, int t, const Canvas& canvas) 
                 }
             }
         }
-        if (again.often(row + count - b.row0.at[t]) &&
-            draw_finely<false, kAddressing, true>(b, t, row + count, again, canvas, samples))
-            break;
+        if (!again.often(row + count - b.row0.at[t])) continue;
+        Pieces rest(b, t, canvas, row + count);
+        if (draw_finely<false, kAddressing, true>(b, t, rest, again, canvas, samples)) break;
     }
     canvas.counters->samples += samples;
     if (dropped) ++canvas.counters->of(RasterSkip::hidden_tile);

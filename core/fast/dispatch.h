@@ -12,6 +12,8 @@ struct Loops {
     void (*draw)(const Canvas&);  ///< all triangles, or those of the canvas' band
     /// Notes which strips of the canvas' target the triangles [first, last) meet.
     void (*sort_out)(const Canvas&, int first, int last, const Strips&);
+    /// Finds which of the triangles that draw() would draw is the last to cover each tile.
+    void (*find_covers)(const Canvas&, LastCovers&);
 };
 
 struct RegisterTarget {

@@ -13,6 +13,7 @@
 
 #include "core/fast/crossings-inl.h"
 #include "core/fast/depth-inl.h"
+#include "core/fast/pieces-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace texelscope {
@@ -170,20 +171,20 @@ private:
     Double u_bias_, v_bias_;
 };
 
-/// The rows of a triangle from `row` on; counts their samples. False: nothing is drawn, double is too much in doubt.
+/// The pieces of a triangle that are left; counts their samples. False: nothing is drawn, double is too much in doubt.
 template <bool kPerspective, Addressing kAddressing, bool kDepth>
-HWY_NOINLINE bool draw_finely(const Batch& b, int t, int row, Again& again, const Canvas& canvas, uint64_t& samples) {
+HWY_NOINLINE bool draw_finely(const Batch& b, int t, Pieces& pieces, Again& again, const Canvas& canvas,
+                              uint64_t& samples) {
     const CertainPair certain = fine_certain_of(b, t, again, again.half_gaps(), canvas);
     if (!certain.fits()) return false;
     const Pixel p;
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
     const Texels<Pixel, kAddressing> texels(canvas, b, t, certain);
     const bool sure = certain.sure();
-    for (; row < b.row1.at[t]; row += kRows) {
+    for (Piece piece; pieces.next(b, t, piece);) {
         Rows rows;
-        const int count = std::min(kRows, b.row1.at[t] - row);
-        cross(b, t, row, count, {b.column0.at[t], b.column1.at[t]}, canvas, rows);
-        for (int n = 0, y = row; n < count; ++n, ++y) {
+        cross(b, t, piece.row, piece.count, {piece.x0, piece.x1}, canvas, rows);
+        for (int n = 0, y = piece.row; n < piece.count; ++n, ++y) {
             [[maybe_unused]] const DepthRow<Pixel> depth(b, t, y);
             const int end = rows.x1.at[n];
             if (rows.x0.at[n] < end) samples += static_cast<uint64_t>(end - rows.x0.at[n]);

@@ -63,6 +63,7 @@ HWY_INLINE void slopes_of(const Batch& b, int t, int row, int count, const Canva
     for (int lane = 0; lane < count; lane += kReals) {
         const V x0 = hn::PromoteTo(d, hn::Load(Index{}, rows.x0.at + lane)),
                 x1 = hn::PromoteTo(d, hn::Load(Index{}, rows.x1.at + lane));
+        if (hn::AllFalse(d, hn::Lt(x0, x1))) continue;
         const V length = hn::Sub(x1, x0), before = hn::Floor(hn::Mul(length, hn::Set(d, .5)));
         const V right = hn::Sub(hn::Add(x0, before), column), down = lanes_from(d, row + lane - b.row0.at[t]);
         const auto at = [&](const PlaneEight& p) HWY_ATTR { return plane_at(Real{}, p, t, right, down); };
@@ -221,28 +222,27 @@ HWY_INLINE int segment_of(int widest, int lanes) {
 }
 
 /// Pixels [done, done + segment) of each row.
-HWY_INLINE void part_of(const Rows& whole, int count, int done, int segment, Rows& part) {
+HWY_INLINE void segments_of(const Rows& whole, int count, int done, int segment, Rows& segments) {
     const hn::CappedTag<int32_t, kRows> s;
     for (int lane = 0; lane < count; lane += static_cast<int>(hn::MaxLanes(s))) {
         const auto end = hn::Load(s, whole.x1.at + lane);
         const auto first = hn::Min(hn::Add(hn::Load(s, whole.x0.at + lane), hn::Set(s, done)), end);
-        hn::Store(first, s, part.x0.at + lane);
-        hn::Store(hn::Min(hn::Add(first, hn::Set(s, segment)), end), s, part.x1.at + lane);
+        hn::Store(first, s, segments.x0.at + lane);
+        hn::Store(hn::Min(hn::Add(first, hn::Set(s, segment)), end), s, segments.x1.at + lane);
     }
 }
 
-/// The rows of one triangle from `from` on. kNarrow: it is so narrow that its corners bound well enough how far u and v
-/// go in a row; else each group of rows is asked. False: nothing is drawn, the corners do not.
+/// The pieces of one triangle that are left. kNarrow: it is so narrow that its corners bound well enough how far u and
+/// v go in a row; else each group of rows is asked. False: nothing is drawn, the corners do not.
 template <bool kNarrow, Addressing kAddressing, bool kDepth, bool kCertain, class Tag>
-HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& canvas, int from) {
+HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& canvas, Pieces& pieces) {
     const hn::Rebind<float, Tag> f;
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(p));
     // In double, units are finer.
     constexpr Addressing kInUnits = kAddressing == Addressing::halves ? Addressing::powers : kAddressing;
     const auto lanes = hn::Iota(f, 0.0F);
     const std::ptrdiff_t pitch = canvas.target.pitch;
-    const Columns columns{b.column0.at[t], b.column1.at[t]};
-    const int widest = std::min(b.widest.at[t], columns.high - columns.low);
+    const int widest = std::min(b.widest.at[t], b.column1.at[t] - b.column0.at[t]);
     const int segment = kNarrow ? widest : segment_of(widest, kLanes);
     uint64_t samples = 0;
     Again again(canvas, b, t, true);
@@ -256,15 +256,16 @@ HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
     if (kNarrow && !certain.fits()) return false;
     if (!slopes.divides) ++canvas.counters->of(RasterSkip::level_w);
     Texels<Tag, kAddressing> texels(canvas, b, t, certain);
-    for (int row = from, count = 0; row < b.row1.at[t]; row += count) {
-        Rows whole, part;
-        Rows& rows = kNarrow ? whole : part;
-        count = std::min(kRows, b.row1.at[t] - row);
-        cross(b, t, row, count, columns, canvas, whole);
+    for (Piece piece; pieces.next(b, t, piece);) {
+        Rows whole, segments;
+        Rows& rows = kNarrow ? whole : segments;
+        const int row = piece.row, width = std::min(widest, piece.x1 - piece.x0);
+        int count = piece.count;
+        if (!cross(b, t, row, count, {piece.x0, piece.x1}, canvas, whole)) continue;
         const uint64_t above = samples;
         bool finely = false, mended = kDepth;
-        for (int done = 0; done < widest; done += segment) {
-            if constexpr (!kNarrow) part_of(whole, count, done, segment, part);
+        for (int done = 0; done < width; done += segment) {
+            if constexpr (!kNarrow) segments_of(whole, count, done, segment, segments);
             const uint64_t before = samples;
             slopes_of<!kNarrow, kAddressing>(b, t, row, count, canvas, rows, slopes);
             if constexpr (!kNarrow) {
@@ -328,7 +329,8 @@ HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
             forget(canvas, row, count, whole), count = 0, samples = above;
         else
             finely = mended && again.often(row + count - b.row0.at[t]);
-        if (finely && draw_finely<true, kInUnits, kDepth>(b, t, row + count, again, canvas, samples)) break;
+        pieces.give_back(piece, count);
+        if (finely && draw_finely<true, kInUnits, kDepth>(b, t, pieces, again, canvas, samples)) break;
     }
     canvas.counters->samples += samples;
     return true;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <vector>
 
@@ -95,9 +97,37 @@ namespace {
     return canvas;
 }
 
+/// Whether triangles are so large, and lie over each other so much, that it pays to find out first which tiles they
+/// cover: by some of them.
+[[nodiscard]] bool is_overdrawn(const Canvas& canvas) {
+    constexpr int kAsked = 64;
+    constexpr double kLeastArea = 2048, kLeastLayers = 1.25;  // measured
+    if (canvas.job->depth || canvas.settings->watch != nullptr || !canvas.settings->skip(RasterSkip::overdrawn))
+        return false;
+    const RasterTarget& target = canvas.target;
+    const int all = canvas.triangles(), asked = std::min(all, kAsked);
+    double area = 0;
+    for (int n = 0; n < asked; ++n) {
+        const Vertex* const p = canvas.corners(static_cast<int>(std::int64_t{n} * all / asked));
+        const auto within = [](std::initializer_list<float> at, int low, int size) {
+            const double most = low + size;
+            return std::clamp<double>(std::max(at), low, most) - std::clamp<double>(std::min(at), low, most);
+        };
+        const double box = within({p[0].x, p[1].x, p[2].x}, target.x0, target.width) *
+                           within({p[0].y, p[1].y, p[2].y}, target.y0, target.height);
+        const double twice = (double{p[1].x} - p[0].x) * (double{p[2].y} - p[0].y) -
+                             (double{p[2].x} - p[0].x) * (double{p[1].y} - p[0].y);
+        area += std::min(box, std::abs(twice) / 2);
+    }
+    // Not for NaN either.
+    return area >= kLeastArea * asked && area / asked * all >= kLeastLayers * target.width * target.height;
+}
+
 void draw_canvas(Canvas canvas, const Loops& loops) {
     std::optional<DepthTiles> tiles;
     if (canvas.job->depth) canvas.tiles = &tiles.emplace(canvas.target);
+    std::optional<LastCovers> covers;
+    if (canvas.overdrawn) loops.find_covers(canvas, covers.emplace(canvas.target)), canvas.covers = &*covers;
     loops.draw(canvas);
 }
 
@@ -144,9 +174,10 @@ void draw(const RasterTarget& target, const RasterTexture& texture, const Raster
     if (job.vertices.size() < 3 || target.width <= 0 || target.height <= 0) return;
     RasterTexels lit;
     if (job.light != nullptr) lit = RasterTexels(texture, job.light);
-    const Canvas canvas = canvas_of(target, job.light == nullptr ? texture : lit.texture(), job, settings, counters);
+    Canvas canvas = canvas_of(target, job.light == nullptr ? texture : lit.texture(), job, settings, counters);
     const Loops& loops = *find_loops(settings.level);
     counters.triangles += static_cast<std::uint64_t>(canvas.triangles());
+    canvas.overdrawn = is_overdrawn(canvas);
     if (settings.threads == 1) return draw_canvas(canvas, loops);
     draw_bands(canvas, loops);
 }

@@ -74,12 +74,13 @@ enum class RasterSkip : std::uint8_t {
     zero_gradient,  ///< looking up a row's texels where neither u nor v changes along it
     one_texel,      ///< looking up texels where all corners lie in the same one
     level_z,        ///< a depth a pixel where all corners are equally deep
+    overdrawn,      ///< without depth, tiles that a later triangle covers whole
 };
 struct RasterSkipInfo {
     RasterSkip skip;
     std::string_view id, sentence;
 };
-inline constexpr std::array<RasterSkipInfo, 12> kRasterSkips{{
+inline constexpr std::array<RasterSkipInfo, 13> kRasterSkips{{
     {RasterSkip::off_screen, "off-screen", "Triangles outside the picture are dropped before they are set up."},
     {RasterSkip::no_sample, "no-sample", "Triangles whose box lies between samples are dropped before set-up."},
     {RasterSkip::zero_area, "zero-area", "Triangles without area are dropped before set-up."},
@@ -95,6 +96,8 @@ inline constexpr std::array<RasterSkipInfo, 12> kRasterSkips{{
      "Without depth, rows of wide triangles along which u and v stay are filled with one texel."},
     {RasterSkip::one_texel, "one-texel", "Triangles whose corners lie in one texel are filled with it."},
     {RasterSkip::level_z, "level-z", "Triangles with equal depth at all corners compare it without computing it."},
+    {RasterSkip::overdrawn, "overdrawn",
+     "Without depth, 16 x 16 tiles that a later triangle covers whole are left to it."},
 }};
 
 inline constexpr int kMaxRasterThreads = 64;
@@ -124,7 +127,7 @@ struct RasterCounters {
     std::array<std::uint64_t, kRasterSkips.size()> skipped{};
     std::uint64_t by_blocks = 0;  ///< triangles whose texels were looked up in patches (core/fast/blocks-inl.h)
     std::uint64_t slow = 0;       ///< triangles whose coordinates are not exact in double's differences
-    std::uint64_t samples = 0;    ///< inside a triangle; those behind others count, too
+    std::uint64_t samples = 0;  ///< inside a triangle; those behind others count, too, those left to later ones do not
     std::uint64_t crossings = 0;  ///< ends of rows decided again, in 128 bits
     std::uint64_t in_double = 0;  ///< texels decided again
     std::uint64_t in_whole = 0;   ///< texels and depths that double could not decide either

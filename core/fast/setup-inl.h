@@ -407,40 +407,49 @@ HWY_INLINE hn::Mask<Real> in_one_texel(const Eights& f, const Canvas& canvas) {
     return hn::And(same(f.u, canvas.job->u_texels), same(f.v, canvas.job->v_texels));
 }
 
+/// The corners' box, and the samples in it [px].
+struct Box {
+    V low_x, high_x, low_y, high_y;
+    V c0, c1, r0, r1;
+};
+HWY_INLINE Box set_up_box(const Corners& p, hn::Mask<Real> coarse, const Canvas& canvas, Batch& batch, int lane) {
+    const Real d;
+    const double u = 16 * kUlp;
+    Box box{least_of(p.x0, p.x1, p.x2), most_of(p.x0, p.x1, p.x2), least_of(p.y0, p.y1, p.y2),
+            most_of(p.y0, p.y1, p.y2)};
+    box.c0 = first_centre(box.low_x, canvas.target.width), box.c1 = first_centre(box.high_x, canvas.target.width);
+    box.r0 = first_centre(box.low_y, canvas.target.height), box.r1 = first_centre(box.high_y, canvas.target.height);
+    const V widest = hn::Max(hn::Abs(box.low_x), hn::Abs(box.high_x));
+    const V doubt = hn::MulAdd(widest, hn::Set(d, u), hn::Set(d, u * (canvas.target.width + 2)));
+    hn::Store(hn::IfThenZeroElse(coarse, doubt), d, batch.cross_doubt.at + lane);
+    store_int(box.c0, batch.column0.at + lane), store_int(box.c1, batch.column1.at + lane);
+    store_int(box.r0, batch.row0.at + lane), store_int(box.r1, batch.row1.at + lane);
+    return box;
+}
+
 /// Sets up the triangles whose indices stand in `batch`; those beyond `count` repeat one of them.
 HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
     const Real d;
     const auto* const base = reinterpret_cast<const float*>(canvas.job->vertices.data());
-    const double u = 16 * kUlp;
     for (int lane = 0; lane < kBatch; lane += kReals) {
         const Eights f(Narrow{}, ByIndex{base, batch.index.at + lane});
         const Corners p(f, canvas.target);
         const auto coarse = p.coarse();
-        const V low_x = least_of(p.x0, p.x1, p.x2), high_x = most_of(p.x0, p.x1, p.x2);
-        const V low_y = least_of(p.y0, p.y1, p.y2), high_y = most_of(p.y0, p.y1, p.y2);
-        const V c0 = first_centre(low_x, canvas.target.width), c1 = first_centre(high_x, canvas.target.width);
-        const V r0 = first_centre(low_y, canvas.target.height), r1 = first_centre(high_y, canvas.target.height);
-        const V widest = hn::Max(hn::Abs(low_x), hn::Abs(high_x));
-        hn::Store(
-            hn::IfThenZeroElse(coarse, hn::MulAdd(widest, hn::Set(d, u), hn::Set(d, u * (canvas.target.width + 2)))), d,
-            batch.cross_doubt.at + lane);
-        store_int(c0, batch.column0.at + lane), store_int(c1, batch.column1.at + lane);
-        store_int(r0, batch.row0.at + lane), store_int(r1, batch.row1.at + lane);
-
+        const Box box = set_up_box(p, coarse, canvas, batch, lane);
         const V half = hn::Set(d, .5);
         Shape s{hn::Sub(p.x1, p.x0),
                 hn::Sub(p.y1, p.y0),
                 hn::Sub(p.x2, p.x0),
                 hn::Sub(p.y2, p.y0),
                 p.area(),
-                hn::Sub(hn::Add(c0, half), p.x0),
-                hn::Sub(hn::Add(r0, half), p.y0),
+                hn::Sub(hn::Add(box.c0, half), p.x0),
+                hn::Sub(hn::Add(box.r0, half), p.y0),
                 half,
                 half,
-                hn::Sub(c1, c0),
+                hn::Sub(box.c1, box.c0),
                 hn::Div(hn::Set(d, 1.0), p.area())};
         s.most_x = hn::Max(hn::Abs(s.dx), hn::Abs(hn::Add(s.dx, s.width)));
-        s.most_y = hn::Max(hn::Abs(s.dy), hn::Abs(hn::Add(s.dy, hn::Sub(r1, r0))));
+        s.most_y = hn::Max(hn::Abs(s.dy), hn::Abs(hn::Add(s.dy, hn::Sub(box.r1, box.r0))));
         store_int(hn::IfThenElseZero(hn::Gt(s.area, hn::Zero(d)), hn::Set(d, 1.0)), batch.front.at + lane);
         const auto one_texel = in_one_texel(f, canvas);
         store_int(hn::IfThenElseZero(one_texel, hn::Set(d, 1.0)), batch.one_texel.at + lane);
@@ -467,13 +476,13 @@ HWY_NOINLINE void set_up(Batch& batch, const Canvas& canvas) {
         }
         bool has_rows = true;
         if (canvas.addressing == Addressing::powers && !canvas.job->perspective) {
-            const V extent = hn::Max(hn::Sub(high_x, low_x), hn::Sub(high_y, low_y)),
-                    samples = hn::Max(s.width, hn::Sub(r1, r0));
+            const V extent = hn::Max(hn::Sub(box.high_x, box.low_x), hn::Sub(box.high_y, box.low_y)),
+                    samples = hn::Max(s.width, hn::Sub(box.r1, box.r0));
             const auto small = hn::And(hn::Lt(extent, hn::Set(d, 8.0)), hn::Le(samples, hn::Set(d, 8.0)));
             store_int(hn::IfThenElseZero(small, hn::Set(d, 1.0)), batch.small.at + lane);
             const auto tiny = hn::And(small, hn::Le(samples, hn::Set(d, 4.0)));
             store_int(hn::IfThenElseZero(tiny, hn::Set(d, 1.0)), batch.tiny.at + lane);
-            if (!hn::AllFalse(d, small)) set_up_small(p, s, c0, r0, coarse, batch, lane);
+            if (!hn::AllFalse(d, small)) set_up_small(p, s, box.c0, box.r0, coarse, batch, lane);
             // Neither draw_tiny() nor draw_small() gives any of these back.
             has_rows = !hn::AllTrue(d, hn::AndNot(one_texel, hn::And(small, coarse)));
         }

@@ -18,6 +18,7 @@
 #include "core/fast/depth_tiles-inl.h"
 #include "core/fast/dispatch.h"
 #include "core/fast/look-inl.h"
+#include "core/fast/overdraw-inl.h"
 #include "core/fast/perspective-inl.h"
 #include "core/fast/small-inl.h"
 #include "core/fast/tiny-inl.h"
@@ -75,16 +76,15 @@ HWY_INLINE void draw_triangle(const Batch& b, int t, const Canvas& canvas) {
         }
     const int widest = b.widest.at[t];
     if (canvas.job->perspective && (b.flat.at[t] == 0 || !canvas.settings->skip(RasterSkip::equal_w))) {
-        if (widest <= kMedium &&
-            draw_perspective<true, kAddressing, kDepth, kCertain>(medium, b, t, canvas, b.row0.at[t]))
+        Pieces pieces(b, t, canvas);
+        if (widest <= kMedium && draw_perspective<true, kAddressing, kDepth, kCertain>(medium, b, t, canvas, pieces))
             return;
 #if HWY_TARGET == HWY_AVX2
         if constexpr (kMost && !kDepth)
             if (b.one.x.at[t] != 0 && fits_halves(canvas))
-                return void(
-                    draw_perspective<false, Addressing::halves, false, kCertain>(wide, b, t, canvas, b.row0.at[t]));
+                return void(draw_perspective<false, Addressing::halves, false, kCertain>(wide, b, t, canvas, pieces));
 #endif
-        return void(draw_perspective<false, kAddressing, kDepth, kCertain>(wide, b, t, canvas, b.row0.at[t]));
+        return void(draw_perspective<false, kAddressing, kDepth, kCertain>(wide, b, t, canvas, pieces));
     }
     if (canvas.job->perspective) ++canvas.counters->of(RasterSkip::equal_w);
     if constexpr (kMost && !kDepth)
@@ -167,24 +167,26 @@ HWY_INLINE uint64_t find_own(const Band& band, int first) {
 /// The triangles to be drawn, in order, some at a time: of all of them, or of a band.
 class Queue {
 public:
-    HWY_INLINE explicit Queue(const Canvas& canvas) : canvas_(canvas), all_(canvas.triangles()) {
+    /// @param boxes  whether anybody asks where triangles are
+    HWY_INLINE Queue(const Canvas& canvas, bool boxes) : canvas_(canvas), boxes_(boxes), all_(canvas.triangles()) {
         if (canvas.band == nullptr) return;
         for (int32_t& triangle : ahead_) triangle = find_next();
     }
 
     /// False: there are no more.
-    template <bool kDepth>
     HWY_INLINE bool next(Looked& looked) {
-        if (canvas_.band != nullptr) return next_of_band<kDepth>(looked);
+        if (canvas_.band != nullptr) return next_of_band(looked);
         if (first_ >= all_) return false;
         fetch_vertices(canvas_, first_);
-        look_at<kDepth>(first_, all_, canvas_, looked);
+        if (boxes_)
+            look_at<true>(first_, all_, canvas_, looked);
+        else
+            look_at<false>(first_, all_, canvas_, looked);
         first_ += kLook;
         return true;
     }
 
 private:
-    template <bool kDepth>
     HWY_INLINE bool next_of_band(Looked& looked) {
         int count = 0;
         for (int32_t* next; count < kLook && *(next = &ahead_[taken_ % kAhead]) != kNone; ++count, ++taken_) {
@@ -194,7 +196,7 @@ private:
         if (count == 0) return false;
         looked.keep = (1U << count) - 1;
         for (; count < kLook; ++count) looked.index[count] = looked.index[0];
-        if constexpr (kDepth) find_boxes(canvas_, looked);
+        if (boxes_) find_boxes(canvas_, looked);
         return true;
     }
 
@@ -217,6 +219,7 @@ private:
     static constexpr unsigned kAhead = 32;
 
     const Canvas& canvas_;
+    bool boxes_;
     int all_;
     int first_ = 0;          ///< not looked at yet
     uint64_t own_ = 0;       ///< bit n: triangle n of the block before that is the band's and not yet found
@@ -224,10 +227,38 @@ private:
     unsigned taken_ = 0;
 };
 
+/// Finds the covers of the canvas.
+HWY_ATTR void find_covers(const Canvas& canvas, LastCovers& covers) {
+    RasterCounters uncounted;  // what is left out: that is for those who draw
+    Canvas looking = canvas;
+    looking.counters = &uncounted;
+    Queue queue(looking, false);
+    Batch batch;
+    Looked looked;
+    int waiting = 0;
+    const auto flush = [&]() HWY_ATTR {
+        for (int n = waiting; n < kBatch; ++n) batch.index.at[n] = batch.index.at[0];
+        set_up_crossings(batch, looking);
+        for (int t = 0; t < waiting; ++t)
+            if (batch.good.at[t] != 0) note_covered(batch, t, looking, covers);
+        waiting = 0;
+    };
+    while (queue.next(looked))
+        for (uint32_t mask = looked.keep; mask != 0; mask &= mask - 1) {
+            batch.index.at[waiting++] = looked.index[std::countr_zero(mask)];
+            if (waiting == kBatch) flush();
+        }
+    if (waiting > 0) flush();
+}
+
+[[nodiscard]] HWY_INLINE PixelBox box_of(const Looked& looked, int lane) {
+    return {looked.column0[lane], looked.row0[lane], looked.column1[lane], looked.row1[lane]};
+}
+
 /// Whether all that the triangle could draw is hidden.
 HWY_INLINE bool is_hidden(const Looked& looked, int lane, const Canvas& canvas) {
     if (!canvas.settings->skip(RasterSkip::hidden)) return false;
-    const PixelBox box{looked.column0[lane], looked.row0[lane], looked.column1[lane], looked.row1[lane]};
+    const PixelBox box = box_of(looked, lane);
     if (box.x0 >= box.x1 || box.y0 >= box.y1 || !canvas.tiles->hides(box, looked.nearest[lane])) return false;
     ++canvas.counters->of(RasterSkip::hidden);
     return true;
@@ -269,15 +300,17 @@ HWY_INLINE void fetch_ahead(const Looked& looked, int lane, const Canvas& canvas
 
 template <Addressing kAddressing, bool kDepth, bool kCertain>
 HWY_INLINE void draw_triangles(const Canvas& canvas) {
-    Queue queue(canvas);
+    const bool covered = !kDepth && canvas.covers != nullptr;
+    Queue queue(canvas, kDepth || covered);
     Batch batch;
     Looked looked;
     int waiting = 0;
-    while (queue.next<kDepth>(looked)) {
+    while (queue.next(looked)) {
         if constexpr (kDepth) drop_hidden(canvas, looked);
         for (uint32_t mask = looked.keep; mask != 0; mask &= mask - 1) {
             const int lane = std::countr_zero(mask);
             if (kDepth && is_hidden(looked, lane, canvas)) continue;
+            if (covered && is_covered(looked.index[lane], box_of(looked, lane), canvas)) continue;
             if constexpr (kDepth) fetch_ahead(looked, lane, canvas);
             batch.index.at[waiting++] = looked.index[lane];
             if (waiting == kBatch) flush<kAddressing, kDepth, kCertain>(batch, waiting, canvas);
@@ -308,7 +341,7 @@ HWY_ATTR void draw_all(const Canvas& canvas) {
     }
 }
 
-const RegisterTarget kRegistered(HWY_TARGET, {draw_all, sort_out});
+const RegisterTarget kRegistered(HWY_TARGET, {draw_all, sort_out, find_covers});
 
 }  // namespace HWY_NAMESPACE
 }  // namespace texelscope

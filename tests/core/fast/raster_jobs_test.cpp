@@ -38,12 +38,13 @@ TEST(RasterThreads, DrawTheSamePicture) {
         RasterJob job = job_of(vertices, texture);
         job.depth = depth, job.perspective = true;
         RasterCounters one;
-        const Picture expected = drawn(texture, job, one);
+        const Picture expected = drawn(texture, job, one, {.skips = kDrawAll});
         for (const int threads : {2, 3, 4, 7, kMaxRasterThreads}) {
-            RasterCounters counters;
+            RasterCounters counters, all;
             ASSERT_EQ(drawn(texture, job, counters, {.threads = threads}), expected) << threads;
-            // With depth, tiles hide what they do within a band.
-            EXPECT_TRUE(depth || counters.samples == one.samples) << threads;
+            ASSERT_EQ(drawn(texture, job, all, {.skips = kDrawAll, .threads = threads}), expected) << threads;
+            // Tiles hide what they do, and later triangles cover what they do, within a band.
+            EXPECT_TRUE(depth || all.samples == one.samples) << threads;
         }
     }
 }
@@ -65,12 +66,12 @@ TEST(RasterThreads, LookAtEachTriangleOnce) {
     RasterJob job = job_of(vertices, texture);
     job.cull_back = true;
     RasterCounters one;
-    const Picture expected = drawn(texture, job, one);
+    const Picture expected = drawn(texture, job, one, {.skips = kDrawAll});
     EXPECT_GT(one.refused, 100U);
     EXPECT_GT(one.slow, 50U);
     for (const int threads : {2, 3, kMaxRasterThreads}) {
         RasterCounters counters;
-        ASSERT_EQ(drawn(texture, job, counters, {.threads = threads}), expected) << threads;
+        ASSERT_EQ(drawn(texture, job, counters, {.skips = kDrawAll, .threads = threads}), expected) << threads;
         EXPECT_EQ(counters.triangles, 5000U);
         EXPECT_EQ(counters.refused, one.refused) << threads;
         EXPECT_EQ(counters.samples, one.samples) << threads;
@@ -86,7 +87,7 @@ TEST(RasterThreads, LookAtEachTriangleOnce) {
 TEST(RasterSkips, ChangeNoPixel) {
     laws::Dice dice(6);
     const Addresses& texels = textures()[0];
-    std::uint64_t level = 0, single = 0, floors = 0, flat = 0, deep = 0, tiles = 0, early = 0;
+    std::uint64_t level = 0, single = 0, floors = 0, flat = 0, deep = 0, tiles = 0, early = 0, over = 0;
     for (int n = 0; n < 40; ++n) {
         std::vector<Vertex> vertices;
         for (int k = 0; k < 60; ++k) {
@@ -123,6 +124,7 @@ TEST(RasterSkips, ChangeNoPixel) {
         level += with.of(RasterSkip::zero_gradient), single += with.of(RasterSkip::one_texel),
             floors += with.of(RasterSkip::level_w), deep += with.of(RasterSkip::level_z);
         tiles += with.of(RasterSkip::hidden_tile), early += with.of(RasterSkip::early_z);
+        over += with.of(RasterSkip::overdrawn);
         EXPECT_TRUE(job.depth || with.of(RasterSkip::level_z) == 0);
     }
     EXPECT_GT(single, 0U);
@@ -131,6 +133,7 @@ TEST(RasterSkips, ChangeNoPixel) {
     EXPECT_GT(deep, 0U);
     EXPECT_GT(tiles, 0U);
     EXPECT_GT(early, 0U);
+    EXPECT_GT(over, 0U);
     EXPECT_GT(level, 0U) << "of wide triangles only, without depth";
 }
 

@@ -21,6 +21,8 @@ namespace texelscope::raster_pictures {
 /// Wider than float32 carries u and v in perspective.
 inline constexpr int kWidth = 331, kHeight = 52, kPitch = 336;
 inline constexpr std::uint32_t kClear = 0xFFFFFFFF;
+/// All skips but that of what later triangles cover.
+inline constexpr std::uint32_t kDrawAll = ~(1U << static_cast<unsigned>(RasterSkip::overdrawn));
 
 /// Texels that are their own addresses, without an apron and with one.
 struct Addresses {

@@ -1,0 +1,42 @@
+// Which triangle is the last to cover a tile whole: what earlier ones draw there, nobody sees.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/fast/raster.h"
+
+namespace texelscope {
+
+/// Of each 16 x 16 tile, the last triangle known to cover it.
+class LastCovers {
+public:
+    static constexpr int kBits = 4, kSide = 1 << kBits;  ///< of a tile [px]
+    static constexpr int kMost = 64;                     ///< tiles that are looked at together
+
+    explicit LastCovers(const RasterTarget& target)
+        : pitch_(tiles_in(target.width) + kVector),
+          last_(static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(tiles_in(target.height)), -1) {}
+
+    /// Triangle `index`, which is drawn after all noted so far, covers tiles [first, end) of a row of them.
+    void note(int row, int first, int end, std::int32_t index) {
+        std::int32_t* const tiles = last_.data() + at(row, 0);
+        std::fill(tiles + first, tiles + end, index);
+    }
+    [[nodiscard]] const std::int32_t* from(int row, int column) const { return last_.data() + at(row, column); }
+
+private:
+    [[nodiscard]] static int tiles_in(int pixels) { return (pixels + kSide - 1) >> kBits; }
+    [[nodiscard]] std::size_t at(int row, int column) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(pitch_) + static_cast<std::size_t>(column);
+    }
+
+    static constexpr int kVector = 16;  ///< so many numbers are read at once, at most
+
+    int pitch_;
+    std::vector<std::int32_t> last_;
+};
+
+}  // namespace texelscope
