@@ -42,6 +42,7 @@ constexpr std::array kFamilies{
     Family{"borders", "corners up to 1e-9 px from the screen's borders", family::borders},
     Family{"class-limits", "coordinates at 2^-8, 2^-6, 2^13 and 2^21 px", family::class_limits},
     Family{"orders", "one triangle in the six orders of its corners", family::orders, 6},
+    Family{"layers", "over most of a frame, over each other: tiles are left to later ones", family::layers, 4},
     Family{"fans", "closed: triangles round a point", family::fan, 12},
     Family{"grids", "closed: a shaken grid, cells of 3 to 5 px", family::grid, 80},
     Family{"fine-grids", "closed: a shaken grid, cells of 0.7 to 2 px", family::fine_grid, 800},

@@ -41,6 +41,7 @@ namespace texelscope::family {
 [[nodiscard]] HardShape borders(std::uint64_t seed);
 [[nodiscard]] HardShape class_limits(std::uint64_t seed);
 [[nodiscard]] HardShape orders(std::uint64_t seed);
+[[nodiscard]] HardShape layers(std::uint64_t seed);
 // family_meshes.cpp
 [[nodiscard]] HardShape blit(std::uint64_t seed);
 [[nodiscard]] HardShape fan(std::uint64_t seed);

@@ -223,11 +223,29 @@ HardShape long_rows(std::uint64_t seed) {
 
 namespace {
 
+/// Where tiles of the fast rasterizer begin and end, now and then.
+[[nodiscard]] float at_tile(float at, float from) { return std::floor((at - from) / 16) * 16 + from + .5F; }
+
 void set_depths(Dice& dice, HardShape& shape, int low, int high) {
     for (Vertex& v : shape.vertices) v.w = dice.scale(low, high);
 }
 
 }  // namespace
+
+/// In one of eight frames: those of each are drawn together.
+HardShape layers(std::uint64_t seed) {
+    Dice dice(seed);
+    const int place = dice.whole(0, 7), left = 37 * place - 100, top = 11 * place;
+    const Rect frame{left, top, left + 120, top + 90 + 2 * place};
+    const vec2 origin(frame.x0, frame.y0), low = origin - vec2(60, 45), high = origin + vec2(180, 135);
+    Corners corners{};
+    for (vec2& p : corners) p = dice.place(low, high);
+    if (dice.chance(.25F))
+        for (vec2& p : corners) p = vec2(at_tile(p.x, origin.x), at_tile(p.y, origin.y));
+    HardShape shape = shape_of(dice, corners, frame);
+    if (dice.chance(.25F)) make_whole(shape);
+    return shape;
+}
 
 HardShape steep(std::uint64_t seed) {
     Dice dice(seed);

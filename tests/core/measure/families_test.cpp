@@ -8,6 +8,7 @@
 #include <functional>
 #include <set>
 
+#include "core/fast/raster.h"
 #include "core/geometry/polygon.h"
 #include "core/image/image.h"
 #include "core/measure/reference.h"
@@ -113,6 +114,25 @@ TEST(Families, ClosedMeshesOwnEachSampleOnce) {
                 ++meshes;
             }
     EXPECT_EQ(meshes, 4U * 4 * kShapes);
+}
+
+TEST(Families, LayersCoverTiles) {
+    std::uint64_t left_out = 0;
+    const std::vector<HardShape> all = shapes("layers");
+    for (const HardShape& first : all) {
+        std::vector<Vertex> together;
+        for (const HardShape& shape : all)
+            if (shape.frame == first.frame)
+                together.insert(together.end(), shape.vertices.begin(), shape.vertices.end());
+        const Rect& frame = first.frame;
+        std::vector<std::uint32_t> pixels(static_cast<std::size_t>(frame.width() * frame.height()));
+        const std::uint32_t texel = 1;
+        RasterCounters counters;
+        draw({pixels.data(), frame.width(), frame.width(), frame.height(), frame.x0, frame.y0}, {&texel, 1, 1},
+             {.vertices = together}, {}, counters);
+        left_out += counters.of(RasterSkip::overdrawn);
+    }
+    EXPECT_GT(left_out, all.size());
 }
 
 TEST(Families, CornersLieWhereTheFamilySays) {
