@@ -101,7 +101,7 @@ HWY_NOINLINE void draw_rows(Tag p, const Batch& b, int t, const Canvas& canvas) 
         Rows rows;
         const int row = piece.row;
         int count = piece.count;
-        if (!cross(b, t, row, count, {piece.x0, piece.x1}, canvas, rows)) continue;
+        if (!cross(b, t, piece, canvas, rows)) continue;
         start(b, t, row, count, texels.u.bias, texels.v.bias, rows);
         Least<Tag, kAddressing> least;
         uint32_t unsure = 0;

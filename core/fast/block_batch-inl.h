@@ -82,8 +82,8 @@ HWY_NOINLINE void forget_piece(const Batch& b, int t, const Window& window, cons
     Pieces pieces(b, t, canvas, window.row);
     Piece piece;
     Rows rows;
-    pieces.next(b, t, piece);
-    cross(b, t, piece.row, piece.count, {piece.x0, piece.x1}, canvas, rows);
+    if (!pieces.next(b, t, piece)) return;
+    cross(b, t, piece, canvas, rows);
     forget(canvas, piece.row, piece.count, rows);
 }
 
@@ -176,9 +176,10 @@ public:
         all_.set_up(b, canvas);
         each([&](int t) HWY_ATTR { at_[t].kind.set_up(t, canvas, all_); });
         Rows rows[kBatch];
-        each([&](int t) HWY_ATTR { at_[t].windows.begin(b, t, canvas); });
-        each([&](int t) HWY_ATTR { at_[t].windows.cross_piece(b, t, canvas, rows[t]); });
-        each([&](int t) HWY_ATTR { at_[t].windows.start(b, t, canvas, at_[t].kind, rows[t]); });
+        Piece first[kBatch];
+        each([&](int t) HWY_ATTR { first[t] = at_[t].windows.begin(b, t, canvas); });
+        each([&](int t) HWY_ATTR { cross(b, t, first[t], canvas, rows[t]); });
+        each([&](int t) HWY_ATTR { at_[t].windows.start(b, t, canvas, at_[t].kind, first[t], rows[t]); });
         each([&](int t) HWY_ATTR {
             BlockDrawing<Kind>& d = at_[t];
             d.more = d.windows.next(b, t, canvas, d.kind, d.first);

@@ -74,20 +74,19 @@ struct Window {
 template <class Kind>
 class BlockWindows {
 public:
-    /// Goes to the first piece; where there is none, to no rows.
-    HWY_INLINE void begin(const Batch& b, int t, const Canvas& canvas) {
+    /// Returns the first piece; where there is none, no rows.
+    HWY_INLINE Piece begin(const Batch& b, int t, const Canvas& canvas) {
         pieces_.begin(b, t, canvas, b.row0.at[t]);
-        if (!pieces_.next(b, t, piece_)) piece_ = {b.row0.at[t], 0, 0, 0};
+        Piece first;
+        return pieces_.next(b, t, first) ? first : Piece{b.row0.at[t], 0, 0, 0};
     }
-    /// Where the piece's rows begin and end. Returns as cross() does.
-    HWY_INLINE bool cross_piece(const Batch& b, int t, const Canvas& canvas, Rows& rows) const {
-        return cross(b, t, piece_.row, piece_.count, {piece_.x0, piece_.x1}, canvas, rows);
-    }
-    /// Goes to the blocks of these rows.
-    HWY_INLINE void start(const Batch& b, int t, const Canvas& canvas, Kind& kind, const Rows& rows) {
+    /// Goes to the blocks of a piece, whose rows are these.
+    HWY_INLINE void start(const Batch& b, int t, const Canvas& canvas, Kind& kind, const Piece& piece,
+                          const Rows& rows) {
         const Block p;
         const BlockInt s;
-        const int row = piece_.row, count = piece_.count;
+        const int row = piece.row, count = piece.count;
+        row_ = row, column_ = piece.x0;
         const auto x0 = load(rows.x0), x1 = load(rows.x1);
         const auto there = hn::And(hn::Lt(x0, x1), hn::FirstN(s, static_cast<size_t>(count)));
         auto left = hn::IfThenElse(there, x0, hn::Set(s, INT32_MAX));
@@ -113,10 +112,11 @@ public:
     /// The next window; false: there are no more.
     HWY_INLINE bool next(const Batch& b, int t, const Canvas& canvas, Kind& kind, typename Kind::Found& window) {
         while (columns_ <= 0) {
-            if (!pieces_.next(b, t, piece_)) return false;
+            Piece piece;
             Rows rows;
-            if (!cross_piece(b, t, canvas, rows)) continue;
-            start(b, t, canvas, kind, rows);
+            if (!pieces_.next(b, t, piece)) return false;
+            cross(b, t, piece, canvas, rows);
+            start(b, t, canvas, kind, piece, rows);
         }
         const Block p;
         const BlockInt s;
@@ -130,7 +130,7 @@ public:
             hn::Store(hn::Add(out_, hn::Set(p, kHalfWidth)), p, window.out + kHalf);
         }
         window.wholes = b.widest.at[t] < kLeastWhole ? 0 : wholes, window.parts = some & ~window.wholes;
-        window.row = piece_.row, window.column = piece_.x0, window.samples = columns_ <= kWindowWidth ? samples_ : 0;
+        window.row = row_, window.column = column_, window.samples = columns_ <= kWindowWidth ? samples_ : 0;
 
         kind.find(b, t, canvas, both, window);
         out_ = hn::Add(out_, hn::Set(p, kWindowWidth));
@@ -171,7 +171,7 @@ private:
     }
 
     Pieces pieces_;
-    Piece piece_;             ///< its strips
+    int row_, column_;        ///< where the piece begins
     int columns_;             ///< of it to come
     uint32_t samples_;        ///< in it
     RowNumbers first_, end_;  ///< columns of the window that are inside

@@ -183,7 +183,7 @@ HWY_NOINLINE bool draw_finely(const Batch& b, int t, Pieces& pieces, Again& agai
     const bool sure = certain.sure();
     for (Piece piece; pieces.next(b, t, piece);) {
         Rows rows;
-        cross(b, t, piece.row, piece.count, {piece.x0, piece.x1}, canvas, rows);
+        cross(b, t, piece, canvas, rows);
         for (int n = 0, y = piece.row; n < piece.count; ++n, ++y) {
             [[maybe_unused]] const DepthRow<Pixel> depth(b, t, y);
             const int end = rows.x1.at[n];

@@ -10,15 +10,17 @@
 
 namespace texelscope {
 
-/// Of each 16 x 16 tile, the last triangle known to cover it.
+/// Of each tile, the last triangle known to cover it.
 class LastCovers {
 public:
-    static constexpr int kBits = 4, kSide = 1 << kBits;  ///< of a tile [px]
-    static constexpr int kMost = 64;                     ///< tiles that are looked at together
+    // Narrower ones leave out more, and what is left is in more pieces: measured.
+    static constexpr int kWidthBits = 3, kWidth = 1 << kWidthBits;     ///< of a tile [px]
+    static constexpr int kHeightBits = 4, kHeight = 1 << kHeightBits;  ///< of a tile [px]
+    static constexpr int kMost = 64;                                   ///< tiles that are looked at together
 
     explicit LastCovers(const RasterTarget& target)
-        : pitch_(tiles_in(target.width) + kVector),
-          last_(static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(tiles_in(target.height)), -1) {}
+        : pitch_(((target.width + kWidth - 1) >> kWidthBits) + kVector),
+          last_(at((target.height + kHeight - 1) >> kHeightBits, 0), -1) {}
 
     /// Triangle `index`, which is drawn after all noted so far, covers tiles [first, end) of a row of them.
     void note(int row, int first, int end, std::int32_t index) {
@@ -28,7 +30,6 @@ public:
     [[nodiscard]] const std::int32_t* from(int row, int column) const { return last_.data() + at(row, column); }
 
 private:
-    [[nodiscard]] static int tiles_in(int pixels) { return (pixels + kSide - 1) >> kBits; }
     [[nodiscard]] std::size_t at(int row, int column) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(pitch_) + static_cast<std::size_t>(column);
     }

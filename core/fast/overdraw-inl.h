@@ -37,17 +37,18 @@ HWY_NOINLINE void set_up_crossings(Batch& batch, const Canvas& canvas) {
 
 /// Notes the tiles that triangle t of the batch covers.
 HWY_NOINLINE void note_covered(const Batch& b, int t, const Canvas& canvas, LastCovers& covers) {
-    constexpr int kBits = LastCovers::kBits, kSide = LastCovers::kSide;
-    const int end = b.row1.at[t] >> kBits;  // rows of tiles
-    for (int row = (b.row0.at[t] + kSide - 1) >> kBits; row < end; row += kRows) {
+    constexpr int kHeight = LastCovers::kHeight, kHeightBits = LastCovers::kHeightBits;
+    const int end = b.row1.at[t] >> kHeightBits;  // rows of tiles
+    for (int row = (b.row0.at[t] + kHeight - 1) >> kHeightBits; row < end; row += kRows) {
         Rows first, last;
-        const int count = std::min(kRows, end - row), y = row << kBits;
+        const int count = std::min(kRows, end - row), y = row << kHeightBits;
         const Columns columns{b.column0.at[t], b.column1.at[t]};
-        cross<kSide>(b, t, y, count, columns, canvas, first);
-        cross<kSide>(b, t, y + kSide - 1, count, columns, canvas, last);
+        cross<kHeight>(b, t, y, count, columns, canvas, first);
+        cross<kHeight>(b, t, y + kHeight - 1, count, columns, canvas, last);
         for (int n = 0; n < count; ++n) {
             const int x0 = std::max(first.x0.at[n], last.x0.at[n]), x1 = std::min(first.x1.at[n], last.x1.at[n]);
-            const int left = (x0 + kSide - 1) >> kBits, right = x1 >> kBits;
+            const int left = (x0 + LastCovers::kWidth - 1) >> LastCovers::kWidthBits,
+                      right = x1 >> LastCovers::kWidthBits;
             if (left < right) covers.note(row + n, left, right, b.index.at[t]);
         }
     }
@@ -55,11 +56,11 @@ HWY_NOINLINE void note_covered(const Batch& b, int t, const Canvas& canvas, Last
 
 /// Whether later triangles cover all tiles that the triangle's box meets.
 HWY_NOINLINE bool is_covered(int triangle, const PixelBox& box, const Canvas& canvas) {
-    constexpr int kBits = LastCovers::kBits, kMost = LastCovers::kMost;
+    constexpr int kWidthBits = LastCovers::kWidthBits, kHeightBits = LastCovers::kHeightBits, kMost = LastCovers::kMost;
     if (box.x0 >= box.x1 || box.y0 >= box.y1) return false;
-    const int end = ((box.x1 - 1) >> kBits) + 1;
-    for (int row = box.y0 >> kBits; row <= (box.y1 - 1) >> kBits; ++row)
-        for (int column = box.x0 >> kBits; column < end; column += kMost)
+    const int end = ((box.x1 - 1) >> kWidthBits) + 1;
+    for (int row = box.y0 >> kHeightBits; row <= (box.y1 - 1) >> kHeightBits; ++row)
+        for (int column = box.x0 >> kWidthBits; column < end; column += kMost)
             if (uncovered(*canvas.covers, row, column, std::min(kMost, end - column), triangle) != 0) return false;
     ++canvas.counters->of(RasterSkip::overdrawn);
     return true;

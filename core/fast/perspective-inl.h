@@ -261,7 +261,7 @@ HWY_NOINLINE bool draw_perspective(Tag p, const Batch& b, int t, const Canvas& c
         Rows& rows = kNarrow ? whole : segments;
         const int row = piece.row, width = std::min(widest, piece.x1 - piece.x0);
         int count = piece.count;
-        if (!cross(b, t, row, count, {piece.x0, piece.x1}, canvas, whole)) continue;
+        if (!cross(b, t, piece, canvas, whole)) continue;
         const uint64_t above = samples;
         bool finely = false, mended = kDepth;
         for (int done = 0; done < width; done += segment) {

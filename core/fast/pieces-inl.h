@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "core/fast/setup-inl.h"
+#include "core/fast/crossings-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace texelscope {
@@ -20,6 +20,11 @@ namespace HWY_NAMESPACE {
 struct Piece {
     int row, count, x0, x1;
 };
+
+/// The rows of a piece. Returns whether any sample is inside.
+HWY_INLINE bool cross(const Batch& b, int t, const Piece& piece, const Canvas& canvas, Rows& rows) {
+    return cross(b, t, piece.row, piece.count, {piece.x0, piece.x1}, canvas, rows);
+}
 
 /// Of tiles from one on, which triangle `index` is to be drawn in: bit n, tile n, of at most LastCovers::kMost.
 HWY_NOINLINE uint64_t uncovered(const LastCovers& covers, int row, int column, int count, int32_t index) {
@@ -33,8 +38,8 @@ HWY_NOINLINE uint64_t uncovered(const LastCovers& covers, int row, int column, i
 }
 
 class Pieces {
-    static constexpr int kBits = LastCovers::kBits, kMost = LastCovers::kMost;
-    static_assert(LastCovers::kSide == kRows);
+    static constexpr int kWidthBits = LastCovers::kWidthBits, kMost = LastCovers::kMost;
+    static_assert(LastCovers::kHeight == kRows);
 
 public:
     Pieces() = default;
@@ -48,7 +53,7 @@ public:
 
     /// The next piece; false: there are no more.
     HWY_INLINE bool next(const Batch& b, int t, Piece& piece) {
-        if (covers_ != nullptr) return next_run(b, t, piece);
+        if (HWY_UNLIKELY(covers_ != nullptr)) return next_run(b, t, piece);
         if (row_ >= b.row1.at[t]) return false;
         piece = {row_, std::min(kRows, b.row1.at[t] - row_), b.column0.at[t], b.column1.at[t]};
         row_ += piece.count;
@@ -77,7 +82,7 @@ private:
         const int column0 = b.column0.at[t], column1 = b.column1.at[t], row1 = b.row1.at[t];
         while (runs_ == 0) {
             column_ += kMost;
-            if (column_ << kBits < column1) {
+            if (column_ << kWidthBits < column1) {
                 look(b, t);
             } else {
                 row_ += count_;
@@ -87,22 +92,23 @@ private:
         }
         const int first = std::countr_zero(runs_), tiles = std::countr_one(runs_ >> first);
         runs_ &= tiles == kMost ? 0 : ~(((uint64_t{1} << tiles) - 1) << first);
-        piece = {row_, count_, std::max(column0, (column_ + first) << kBits),
-                 std::min(column1, (column_ + first + tiles) << kBits)};
+        piece = {row_, count_, std::max(column0, (column_ + first) << kWidthBits),
+                 std::min(column1, (column_ + first + tiles) << kWidthBits)};
         return true;
     }
     /// Goes to the rows from row_ on that lie in the same tiles, and there to the tile of `column`.
     HWY_NOINLINE void go_to_strip(const Batch& b, int t, int column) {
-        count_ = std::clamp(b.row1.at[t] - row_, 0, kRows - row_ % kRows), column_ = column >> kBits, rest_.count = 0;
+        count_ = std::clamp(b.row1.at[t] - row_, 0, kRows - row_ % kRows), column_ = column >> kWidthBits,
+        rest_.count = 0;
         look(b, t);
     }
     /// Which tiles from column_ on are to be drawn.
     HWY_INLINE void look(const Batch& b, int t) {
         runs_ = 0;
         const int column1 = b.column1.at[t];
-        if (count_ == 0 || column_ << kBits >= column1) return;
-        const int tiles = std::min(kMost, ((column1 - 1) >> kBits) - column_ + 1);
-        runs_ = uncovered(*covers_, row_ >> kBits, column_, tiles, b.index.at[t]);
+        if (count_ == 0 || column_ << kWidthBits >= column1) return;
+        const int tiles = std::min(kMost, ((column1 - 1) >> kWidthBits) - column_ + 1);
+        runs_ = uncovered(*covers_, row_ >> LastCovers::kHeightBits, column_, tiles, b.index.at[t]);
         if (noted_ || std::popcount(runs_) == tiles) return;
         noted_ = true, ++counters_->of(RasterSkip::overdrawn);
     }

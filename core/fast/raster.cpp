@@ -101,7 +101,7 @@ namespace {
 /// cover: by some of them.
 [[nodiscard]] bool is_overdrawn(const Canvas& canvas) {
     constexpr int kAsked = 64;
-    constexpr double kLeastArea = 2048, kLeastLayers = 1.25;  // measured
+    constexpr double kWorth = 10'000;  // an area, times how many lie over each other [px]: measured
     if (canvas.job->depth || canvas.settings->watch != nullptr || !canvas.settings->skip(RasterSkip::overdrawn))
         return false;
     const RasterTarget& target = canvas.target;
@@ -119,8 +119,8 @@ namespace {
                              (double{p[2].x} - p[0].x) * (double{p[1].y} - p[0].y);
         area += std::min(box, std::abs(twice) / 2);
     }
-    // Not for NaN either.
-    return area >= kLeastArea * asked && area / asked * all >= kLeastLayers * target.width * target.height;
+    const double mean = area / asked, layers = mean * all / target.width / target.height;
+    return mean * layers >= kWorth;  // not for NaN either
 }
 
 void draw_canvas(Canvas canvas, const Loops& loops) {

@@ -97,7 +97,7 @@ inline constexpr std::array<RasterSkipInfo, 13> kRasterSkips{{
     {RasterSkip::one_texel, "one-texel", "Triangles whose corners lie in one texel are filled with it."},
     {RasterSkip::level_z, "level-z", "Triangles with equal depth at all corners compare it without computing it."},
     {RasterSkip::overdrawn, "overdrawn",
-     "Without depth, 16 x 16 tiles that a later triangle covers whole are left to it."},
+     "Without depth, tiles of 8 x 16 that a later triangle covers whole are left to it."},
 }};
 
 inline constexpr int kMaxRasterThreads = 64;

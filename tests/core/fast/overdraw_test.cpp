@@ -118,7 +118,7 @@ TEST(Overdraw, IsAsWithoutIt) {
 /// A target wider than the tiles that are looked at together, and drawn in one by one last.
 TEST(Overdraw, OfWideTargets) {
     laws::Dice dice(17);
-    const Frame frame{.width = 64 * LastCovers::kSide * 2 + 40, .height = 60};
+    const Frame frame{.width = LastCovers::kMost * LastCovers::kWidth * 4 + 40, .height = 60};
     const Addresses& texels = textures()[0];
     std::vector<Vertex> vertices;
     const auto add = [&](float x0, float y0, float x1, float y1) {
@@ -161,7 +161,7 @@ TEST(Overdraw, IsNotLookedForWhereTrianglesAreSmallOrFew) {
         return counters.of(RasterSkip::overdrawn);
     };
     EXPECT_GT(skipped(90, 50), 10U);
-    EXPECT_EQ(skipped(40, 400), 0U) << "small";
+    EXPECT_EQ(skipped(40, 100), 0U) << "small";
     EXPECT_EQ(skipped(90, 2), 0U) << "few";
 }
 
