@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <initializer_list>
 #include <optional>
 #include <vector>
 
@@ -101,7 +100,8 @@ namespace {
 /// cover: by some of them.
 [[nodiscard]] bool is_overdrawn(const Canvas& canvas) {
     constexpr int kAsked = 64;
-    constexpr double kWorth = 10'000;  // an area, times how many lie over each other [px]: measured
+    constexpr double kLeastHigh = 32;  ///< over its longest side, else it covers hardly any tile [px]
+    constexpr double kWorth = 10'000;  ///< an area, times how many lie over each other [px]: measured
     if (canvas.job->depth || canvas.settings->watch != nullptr || !canvas.settings->skip(RasterSkip::overdrawn))
         return false;
     const RasterTarget& target = canvas.target;
@@ -109,18 +109,20 @@ namespace {
     double area = 0;
     for (int n = 0; n < asked; ++n) {
         const Vertex* const p = canvas.corners(static_cast<int>(std::int64_t{n} * all / asked));
-        const auto within = [](std::initializer_list<float> at, int low, int size) {
-            const double most = low + size;
-            return std::clamp<double>(std::max(at), low, most) - std::clamp<double>(std::min(at), low, most);
+        const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x});
+        const auto [top, bottom] = std::minmax({p[0].y, p[1].y, p[2].y});
+        const auto within = [](float low, float high, int first, int size) {
+            const double most = first + size;
+            return std::clamp<double>(high, first, most) - std::clamp<double>(low, first, most);
         };
-        const double box = within({p[0].x, p[1].x, p[2].x}, target.x0, target.width) *
-                           within({p[0].y, p[1].y, p[2].y}, target.y0, target.height);
-        const double twice = (double{p[1].x} - p[0].x) * (double{p[2].y} - p[0].y) -
-                             (double{p[2].x} - p[0].x) * (double{p[1].y} - p[0].y);
-        area += std::min(box, std::abs(twice) / 2);
+        const double box = within(left, right, target.x0, target.width) * within(top, bottom, target.y0, target.height);
+        const double twice = std::abs((double{p[1].x} - p[0].x) * (double{p[2].y} - p[0].y) -
+                                      (double{p[2].x} - p[0].x) * (double{p[1].y} - p[0].y));
+        const double longest = std::max(double{right} - left, double{bottom} - top);
+        if (twice >= kLeastHigh * longest) area += std::min(box, twice / 2);
     }
     const double mean = area / asked, layers = mean * all / target.width / target.height;
-    return mean * layers >= kWorth;  // not for NaN either
+    return mean * layers >= kWorth;
 }
 
 void draw_canvas(Canvas canvas, const Loops& loops) {
