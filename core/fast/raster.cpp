@@ -100,29 +100,34 @@ namespace {
 /// cover: by some of them.
 [[nodiscard]] bool is_overdrawn(const Canvas& canvas) {
     constexpr int kAsked = 64;
-    constexpr double kLeastHigh = 32;  ///< over its longest side, else it covers hardly any tile [px]
-    constexpr double kWorth = 10'000;  ///< an area, times how many lie over each other [px]: measured
+    constexpr double kLeastHigh = 32;                  ///< over its longest side, else it covers hardly any tile [px]
+    constexpr double kLarge = 500, kLeastLarge = .25;  ///< [px]; the share of such: one background decides nothing
+    constexpr double kLeastLayers = 1.25,
+                     kWorth = 10'000;  ///< an area, times how many lie over each other [px]: measured
     if (canvas.job->depth || canvas.settings->watch != nullptr || !canvas.settings->skip(RasterSkip::overdrawn))
         return false;
     const RasterTarget& target = canvas.target;
     const int all = canvas.triangles(), asked = std::min(all, kAsked);
     double area = 0;
+    int large = 0;
     for (int n = 0; n < asked; ++n) {
         const Vertex* const p = canvas.corners(static_cast<int>(std::int64_t{n} * all / asked));
         const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x});
         const auto [top, bottom] = std::minmax({p[0].y, p[1].y, p[2].y});
         const auto within = [](float low, float high, int first, int size) {
-            const double most = first + size;
+            const double most = static_cast<double>(first) + size;
             return std::clamp<double>(high, first, most) - std::clamp<double>(low, first, most);
         };
         const double box = within(left, right, target.x0, target.width) * within(top, bottom, target.y0, target.height);
         const double twice = std::abs((double{p[1].x} - p[0].x) * (double{p[2].y} - p[0].y) -
                                       (double{p[2].x} - p[0].x) * (double{p[1].y} - p[0].y));
         const double longest = std::max(double{right} - left, double{bottom} - top);
-        if (twice >= kLeastHigh * longest) area += std::min(box, twice / 2);
+        if (!(twice >= kLeastHigh * longest)) continue;
+        area += std::min(box, twice / 2);
+        large += twice / 2 >= kLarge ? 1 : 0;
     }
     const double mean = area / asked, layers = mean * all / target.width / target.height;
-    return mean * layers >= kWorth;
+    return large >= kLeastLarge * asked && layers >= kLeastLayers && mean * layers >= kWorth;
 }
 
 void draw_canvas(Canvas canvas, const Loops& loops) {
