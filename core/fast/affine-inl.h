@@ -55,11 +55,11 @@ HWY_NOINLINE void fill_rows(const Batch& b, int t, const Canvas& canvas) {
     ++canvas.counters->of(RasterSkip::one_texel);
     [[maybe_unused]] Again again(canvas, b, t, false);
     const std::ptrdiff_t pitch = canvas.target.pitch;
-    for (int row = b.row0.at[t]; row < b.row1.at[t]; row += kRows) {
+    Pieces pieces(b, t, canvas);
+    for (Piece piece; pieces.next(b, t, piece);) {
         Rows rows;
-        const int count = std::min(kRows, b.row1.at[t] - row);
-        cross(b, t, row, count, {b.column0.at[t], b.column1.at[t]}, canvas, rows);
-        for (int n = 0, y = row; n < count; ++n, ++y) {
+        if (!cross(b, t, piece, canvas, rows)) continue;
+        for (int n = 0, y = piece.row; n < piece.count; ++n, ++y) {
             int x = rows.x0.at[n], left = rows.x1.at[n] - x;
             if (left <= 0) continue;
             canvas.counters->samples += static_cast<uint64_t>(left);

@@ -76,7 +76,7 @@ template <class Found>
     return std::popcount(found.beyond) * 2 > std::popcount(found.parts | found.wholes);
 }
 
-/// The window's piece is drawn once more.
+/// The window's piece is drawn once more. It is a whole strip: where somebody watches, nobody looks for covers.
 HWY_NOINLINE void forget_piece(const Batch& b, int t, const Window& window, const Canvas& canvas) {
     if (canvas.settings->watch == nullptr) return;
     Pieces pieces(b, t, canvas, window.row);

@@ -17,6 +17,7 @@ public:
     static constexpr int kWidthBits = 3, kWidth = 1 << kWidthBits;     ///< of a tile [px]
     static constexpr int kHeightBits = 4, kHeight = 1 << kHeightBits;  ///< of a tile [px]
     static constexpr int kMost = 64;                                   ///< tiles that are looked at together
+    static constexpr int kVector = 16;                                 ///< numbers that are read at once, at most
 
     explicit LastCovers(const RasterTarget& target)
         : pitch_(((target.width + kWidth - 1) >> kWidthBits) + kVector),
@@ -33,8 +34,6 @@ private:
     [[nodiscard]] std::size_t at(int row, int column) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(pitch_) + static_cast<std::size_t>(column);
     }
-
-    static constexpr int kVector = 16;  ///< so many numbers are read at once, at most
 
     int pitch_;
     std::vector<std::int32_t> last_;

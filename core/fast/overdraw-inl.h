@@ -17,7 +17,8 @@ HWY_BEFORE_NAMESPACE();
 namespace texelscope {
 namespace HWY_NAMESPACE {
 
-/// Sets up what cross() asks for, of the triangles whose indices stand in `batch`.
+/// Sets up what cross() asks for, of the triangles whose indices stand in `batch`. `good` asks for less than set_up()
+/// does: what that refuses is drawn slowly, and covers as much.
 HWY_NOINLINE void set_up_crossings(Batch& batch, const Canvas& canvas) {
     const Real d;
     const auto* const base = reinterpret_cast<const float*>(canvas.job->vertices.data());
@@ -35,9 +36,11 @@ HWY_NOINLINE void set_up_crossings(Batch& batch, const Canvas& canvas) {
     }
 }
 
-/// Notes the tiles that triangle t of the batch covers.
+/// Notes the tiles that triangle t of the batch covers. A tile that the target's right end cuts counts as it is; one
+/// that its lower end cuts is left out: cross() knows no rows beyond.
 HWY_NOINLINE void note_covered(const Batch& b, int t, const Canvas& canvas, LastCovers& covers) {
     constexpr int kHeight = LastCovers::kHeight, kHeightBits = LastCovers::kHeightBits;
+    constexpr int kWidth = LastCovers::kWidth, kWidthBits = LastCovers::kWidthBits;
     const int end = b.row1.at[t] >> kHeightBits;  // rows of tiles
     for (int row = (b.row0.at[t] + kHeight - 1) >> kHeightBits; row < end; row += kRows) {
         Rows first, last;
@@ -47,8 +50,8 @@ HWY_NOINLINE void note_covered(const Batch& b, int t, const Canvas& canvas, Last
         cross<kHeight>(b, t, y + kHeight - 1, count, columns, canvas, last);
         for (int n = 0; n < count; ++n) {
             const int x0 = std::max(first.x0.at[n], last.x0.at[n]), x1 = std::min(first.x1.at[n], last.x1.at[n]);
-            const int left = (x0 + LastCovers::kWidth - 1) >> LastCovers::kWidthBits,
-                      right = x1 >> LastCovers::kWidthBits;
+            const int beyond = x1 == canvas.target.width ? kWidth - 1 : 0;
+            const int left = (x0 + kWidth - 1) >> kWidthBits, right = (x1 + beyond) >> kWidthBits;
             if (left < right) covers.note(row + n, left, right, b.index.at[t]);
         }
     }

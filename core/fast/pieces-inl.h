@@ -30,6 +30,7 @@ HWY_INLINE bool cross(const Batch& b, int t, const Piece& piece, const Canvas& c
 HWY_NOINLINE uint64_t uncovered(const LastCovers& covers, int row, int column, int count, int32_t index) {
     const PixelInt s;
     constexpr int kLanes = static_cast<int>(hn::MaxLanes(s));
+    static_assert(kLanes <= LastCovers::kVector);
     const int32_t* const last = covers.from(row, column);
     uint64_t bits = 0;
     for (int n = 0; n < count; n += kLanes)
@@ -37,9 +38,10 @@ HWY_NOINLINE uint64_t uncovered(const LastCovers& covers, int row, int column, i
     return bits & (~uint64_t{0} >> (LastCovers::kMost - count));
 }
 
+/// Those of one triangle, one after another.
 class Pieces {
     static constexpr int kWidthBits = LastCovers::kWidthBits, kMost = LastCovers::kMost;
-    static_assert(LastCovers::kHeight == kRows);
+    static_assert(LastCovers::kHeight == kRows);  // the rows of a piece lie in the same tiles
 
 public:
     Pieces() = default;

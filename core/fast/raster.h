@@ -60,7 +60,7 @@ inline constexpr std::array<SimdLevelInfo, 4> kSimdLevels{{{SimdLevel::scalar, "
 /// Whether this machine has the level's instructions, and the program was built for them.
 [[nodiscard]] bool is_supported(SimdLevel level);
 
-/// Work that need not be done. The pixels are the same without any of them.
+/// Work that need not be done. Where `certain` is on, the pixels are the same without any of them.
 enum class RasterSkip : std::uint8_t {
     off_screen,     ///< triangles outside the target
     no_sample,      ///< triangles between samples
@@ -123,7 +123,8 @@ struct RasterSettings {
 struct RasterCounters {
     std::uint64_t triangles = 0;  ///< looked at
     std::uint64_t drawn = 0;      ///< set up
-    std::uint64_t refused = 0;    ///< with a number that is not finite, or w <= 0 where that matters
+    std::uint64_t refused = 0;  ///< with a number that is not finite, or w <= 0 where that matters; some of those that
+                                ///< skips hide are not looked at so closely
     std::array<std::uint64_t, kRasterSkips.size()> skipped{};
     std::uint64_t by_blocks = 0;  ///< triangles whose texels were looked up in patches (core/fast/blocks-inl.h)
     std::uint64_t slow = 0;       ///< triangles whose coordinates are not exact in double's differences
